@@ -223,8 +223,9 @@ JSON_HEAD = """\
 # JSON
 
 With `--json` a verb tells its results as JSON on stdout, in one line; `check` tells a list of
-findings, `canon` an object a line. Keys that stand here stay; more may come. A program that is not
-planned, because it has errors or cannot be read, is told by the first four keys of `time` alone.
+findings, `lab canon` an object a line. Keys that stand here stay; more may come. A program that is
+not planned, because it has errors or cannot be read, is told by the first four keys of `time`
+alone.
 `docs/schema.json` has all of it as JSON schema.
 
 This page is written by `docs/make_pages.py` from `docs/json_models.py`; tests hold what the verbs

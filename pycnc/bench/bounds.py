@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rows of `pycnc bench bounds`: how near our motion is to the fastest that there can be.
+"""Rows of `pycnc lab bench bounds`: how near our motion is to the fastest that there can be.
 
 Machine of the comparison (v 100 mm/s, a 1000 mm/s², j 10 000 mm/s³ an axis, T = 1 ms), every move
 at F6000, from rest to rest. ours_s: the tick's motion under the slope `jerk`, optimal_s: the plan

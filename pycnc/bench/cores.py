@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rows of `pycnc bench cores`: a big program is read and planned, on one core and on several.
+"""Rows of `pycnc lab bench cores`: a big program is read and planned, on one core and on several.
 
 Both take turns in one run, and the medians count. The text is in memory; Python's start is not in
 the time. `cpu_s` is the processor's time of all threads: where nobody else wants the cores, `s` is

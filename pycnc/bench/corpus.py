@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rows of `pycnc bench corpus`: what a jerk limit costs on real programs.
+"""Rows of `pycnc lab bench corpus`: what a jerk limit costs on real programs.
 
 Every file of the corpus that runs: jerk_s, its machining time under the jerk-limited slope within
 0.01 mm, over linear_s, that under the linear slope on the exact path; the last row has the sums.

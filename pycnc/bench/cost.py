@@ -2,9 +2,9 @@
 """What a line costs in instructions, from its text to cells, and what the tick takes.
 
 Counted by callgrind over a build of this tree by gcc -O2 with the capacities of the module; the
-programs are those of `pycnc bench decode | tick`, shorter. `start` is commit 240a973 under the same
-count, where its parts can be told apart. Other compilers count otherwise; clocks do not matter. The
-longest steps of two microcontrollers are those of docs/size.md, which
+programs are those of `pycnc lab bench decode | tick`, shorter. `start` is commit 240a973 under the
+same count, where its parts can be told apart. Other compilers count otherwise; clocks do not
+matter. The longest steps of two microcontrollers are those of docs/size.md, which
 tests/house/size/table.py measures.
 """
 

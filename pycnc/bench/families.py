@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rows of `pycnc bench families`: kinds of programs by seed, under the slopes `jerk` and `optimal`.
+"""Rows of `pycnc lab bench families`: kinds of programs by seed, slopes `jerk` and `optimal`.
 
 A family is a kind of path as shops cut it; a seed draws its sizes, chords and feed. Machines: soft
 (a 500 mm/s², j 5 000 mm/s³ an axis) and stiff (a 5 000, j 100 000), v 100 mm/s, T = 1 ms. of_0_002,
@@ -7,8 +7,8 @@ of_0_01, of_0_05: the time under `optimal` over that under `jerk` within so many
 the seeds; worst: the largest of all of them. These are the same on every computer. planned: how
 many times faster than real time the slowest part, `optimal`, is planned, on this one.
 
-`pycnc bench tubes` holds the first 60 mm and 4 s of two programs of each against the best anywhere
-within P (`pycnc bench bounds`, whose machine and columns they have).
+`pycnc lab bench tubes` holds the first 60 mm and 4 s of two programs of each against the best
+anywhere within P (`pycnc lab bench bounds`, whose machine and columns they have).
 """
 
 import time

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rows of `pycnc bench gains`: what each part buys over the linear look-ahead of two papers.
+"""Rows of `pycnc lab bench gains`: what each part buys over the linear look-ahead of two papers.
 
 Machine of the comparison (v 100 mm/s, a 1000 mm/s², j 10 000 mm/s³ an axis, T = 1 ms); machining
 times [s], planned. cao_10_s: Cao et al. 2014 with ten blocks of look-ahead, the most that they

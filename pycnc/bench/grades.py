@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rows of `pycnc bench bubble`: the largest grades by sweeps and by scans, in C and on devices.
+"""Rows of `pycnc lab bench bubble`: the largest grades by sweeps and by scans, in C and on devices.
 
 Wrong would make it: other work on the cores, and a first call that compiles (every variant is
 called once before it is timed). Copies to a device and back are part of its time.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rows of `pycnc bench decode | tick | time`, and of the window in `pycnc bench lookahead`.
+"""Rows of `pycnc lab bench decode | tick | time`, and of the window in `pycnc lab bench lookahead`.
 
 The programs are made here, always the same: a relief of micro-segments as a milled picture has
 them, arcs, and what else the tick finds hard. rs274, LinuxCNC's stand-alone interpreter, is the

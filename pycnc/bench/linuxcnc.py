@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rows of `pycnc bench linuxcnc`, `butterfly` and `window`: machining times of whole programs.
+"""Rows of `pycnc lab bench linuxcnc`, `butterfly` and `window`: machining times of whole programs.
 
 Times and peaks are those of the emitted setpoints. Peaks are shares of the limits: v, a and j are
 the largest of any axis, path_j is that of the path coordinate. The columns of LinuxCNC are times

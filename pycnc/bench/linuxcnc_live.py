@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rows of `pycnc bench linuxcnc --live`: this planner against LinuxCNC's own, in LinuxCNC.
+"""Rows of `pycnc lab bench linuxcnc --live`: this planner against LinuxCNC's own, in LinuxCNC.
 
 Each program runs in the LinuxCNC that is installed here, with its own planner (stock), with this
 one without a jerk limit (linear) and with it (jerk), all with 100 mm/s, 1000 mm/s² and 10 000

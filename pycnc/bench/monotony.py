@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rows of `pycnc bench monotony`: where more of something makes a program slower.
+"""Rows of `pycnc lab bench monotony`: where more of something makes a program slower.
 
 Each of 20 programs is planned on its machine under the jerk-limited slope, with a, j and v of every
 axis times a factor, within P (0: the exact path) and with a window of so many blocks (0: all). One

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rows of `pycnc bench optimum`: how near a jerk-limited profile is to the fastest there is.
+"""Rows of `pycnc lab bench optimum`: how near a jerk-limited profile is to the fastest there is.
 
 With --paths: every NAME.npz of a folder beside the optimum in NAME.opt.npz, if that is there.
 Without: random problems with fixed seeds, beside an optimum that `pycnc.bench.numeric` finds; its

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rows of `pycnc bench lookahead`: the envelope by every road of C, beside the memory's bound.
+"""Rows of `pycnc lab bench lookahead`: the envelope by every road of C, beside the memory's bound.
 
 All variants of one size run in turn on the same arrays, each until its least time has had time to
 show. Wrong would make it: other work on the cores (threads lose more than the rest), a clock that

@@ -10,7 +10,7 @@ import typer
 
 # They register their verbs.
 from pycnc.cli import adapting, comparing, configuring, serving, sweeping, timing  # noqa: F401
-from pycnc.cli.door import app, close_list, machine_of, machines, verb
+from pycnc.cli.door import LAB, app, close_list, lab, machine_of, machines, verb
 from pycnc.cli.options import (
     Backend,
     Commands,
@@ -92,7 +92,7 @@ def check(
     return code
 
 
-@verb(app, "canon part.ngc --units inch")
+@verb(lab, "lab canon part.ngc --units inch")
 def canon(
     *, file: File, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
     tools: Tools = None, units: Annotated[Units, typer.Option(help="Units of the listing.")] = "mm",
@@ -109,7 +109,8 @@ def canon(
     return WRONG if program.diagnostics.errors else GOOD
 
 
-@verb(app, "run part.ngc --plot part.png -o trace.csv")
+@verb(app, "run part.ngc --plot part.png -o trace.csv", without=LAB)
+@verb(lab, "lab run part.ngc --plan grades")
 def run(
     *, file: File, machine: MachineName = DEFAULT, dialect: DialectName = None,
     slope: SlopeName = None, set: Set = None, tools: Tools = None, from_line: FromLine = None,
@@ -172,7 +173,7 @@ def _judge(done):
     return WRONG if broken else GOOD
 
 
-@verb(app, 'controller part.ngc --at "250 hold" --at "900 resume"')
+@verb(lab, 'lab controller part.ngc --at "250 hold" --at "900 resume"')
 def controller(
     *, file: File, on: ControllerName = "host", at: Commands = None,
     machine: MachineName = DEFAULT, dialect: DialectName = None, slope: SlopeName = None,
@@ -209,8 +210,8 @@ def plot(
         "--output", "-o", metavar="PICTURE",
         help="Where to: .png, .svg or .pdf; else a .png next to the program.")] = None,
     machine: MachineName = DEFAULT, dialect: DialectName = None, slope: SlopeName = None,
-    set: Set = None, tools: Tools = None, zero: Zero = None, backend: Backend = "auto",
-    json_: Json = False, quiet: Quiet = False,
+    set: Set = None, tools: Tools = None, zero: Zero = None, json_: Json = False,
+    quiet: Quiet = False,
 ):  # fmt: skip
     """Draw the path coloured by the speed really reached, and speed and acceleration over time."""
     from pycnc.report import trace
@@ -222,7 +223,7 @@ def plot(
     if program is None:
         return give_up(facts, code, json_)
     with progress(f"running {program.file}", quiet) as bar:
-        done = trace.Trace(program, backend=backend, progress=bar)
+        done = trace.Trace(program, progress=bar)
     picture = draw(done, output)
     if not json_:
         tell(program, quiet, sys.stderr)
@@ -230,7 +231,7 @@ def plot(
     return _judge(done)
 
 
-@verb(app, "bench lookahead")
+@verb(lab, "lab bench lookahead")
 def bench(
     *, name: Subject = None, output: Figures = None, paths: Paths = None,
     live: Annotated[bool, typer.Option(

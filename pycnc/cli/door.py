@@ -3,6 +3,7 @@
 
 import contextlib
 import functools
+import inspect
 import os
 import signal
 import sys
@@ -16,8 +17,7 @@ from pycnc.cli.words import GOOD, drop_stdout, explain, fail
 
 # In the order of help.
 VERBS = (
-    "look", "check", "canon", "time", "why", "report", "run", "controller", "serve", "plot",
-    "compare", "sweep", "bench",
+    "look", "check", "time", "why", "report", "run", "serve", "plot", "compare", "sweep",
 )  # fmt: skip
 
 
@@ -62,6 +62,12 @@ machines = typer.Typer(no_args_is_help=True, help="Machine files.")
 app.add_typer(machines, name="machine")
 linuxcnc = typer.Typer(no_args_is_help=True, help="The kernel as LinuxCNC's trajectory planner.")
 app.add_typer(linuxcnc, name="linuxcnc")
+lab = typer.Typer(
+    no_args_is_help=True,
+    help="What shops do not ask for: other planners, the firmware, measurements.",
+)
+app.add_typer(lab, name="lab")
+LAB = ("plan", "backend", "prep_steps")  # options that a verb has in the lab alone
 
 
 def _tell_version(asked):
@@ -92,11 +98,11 @@ def _hearing():
         signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
-def verb(group, example, cls=None):
+def verb(group, example, cls=None, without=()):
     """Register a function as a verb: whatever goes wrong in it becomes words and an exit code.
 
     Its name is the verb's. The example ends the verb's help. cls: of a command that reads its
-    words in a way of its own.
+    words in a way of its own. without: options that it does not have in this group.
     """
 
     def register(function):
@@ -106,13 +112,16 @@ def verb(group, example, cls=None):
                 with _hearing():
                     code = function(*arguments, **options)
                     sys.stdout.flush()
-            except BrokenPipeError:  # the reader has seen enough: pycnc canon … | head
+            except BrokenPipeError:  # the reader has seen enough: pycnc lab canon … | head
                 drop_stdout()
                 code = GOOD
             except (Exception, KeyboardInterrupt) as cause:
                 code = explain(cause)
             raise typer.Exit(code or GOOD)
 
+        whole = inspect.signature(function)
+        kept = [each for name, each in whole.parameters.items() if name not in without]
+        guarded.__signature__ = whole.replace(parameters=kept)
         name = function.__name__.rstrip("_")
         group.command(name=name, cls=cls, epilog=f"Example: pycnc {example}")(guarded)
         return function

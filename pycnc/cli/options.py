@@ -32,7 +32,8 @@ def slope_of(word):
     """Return the slope of a name."""
     if word in [*Slope]:
         return Slope(word)
-    moved = "; the S-shape is a kind of planning: --plan sshape" if word == "sshape" else ""
+    sshape = "; the S-shape is a kind of planning: pycnc lab time --plan sshape"
+    moved = sshape if word == "sshape" else ""
     names = ", ".join(repr(each.value) for each in Slope)
     raise typer.BadParameter(f"{word!r} is not one of {names}{moved}.")
 

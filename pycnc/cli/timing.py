@@ -8,7 +8,7 @@ import json
 import sys
 
 from pycnc import errors
-from pycnc.cli.door import OptionalValue, app, machine_of, tell_idle, verb
+from pycnc.cli.door import LAB, OptionalValue, app, lab, machine_of, tell_idle, verb
 from pycnc.cli.options import (
     CURES,
     Backend,
@@ -55,7 +55,8 @@ _WITHOUT_PARTS = ("file", "machine", "version", "schema_version", "period_s", "t
 _MOTION = ("accelerate", "cruise", "decelerate")
 
 
-@verb(app, "time part.ngc other.ngc --by section")
+@verb(app, "time part.ngc other.ngc --by section", without=LAB)
+@verb(lab, "lab time part.ngc --plan sshape")
 def time(
     *, files: Files, by: By = None, machine: MachineName = DEFAULT, dialect: DialectName = None,
     slope: SlopeName = None, set: Set = None, tools: Tools = None, from_line: FromLine = None,

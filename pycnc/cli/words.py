@@ -59,7 +59,7 @@ def explain(cause):
         return USAGE
     if isinstance(cause, OSError):
         fail(f"{cause.filename or 'pycnc'}: error[file]: {cause.strerror or cause}")
-        if cause.filename is None:  # a disk that is full: pycnc canon … > file
+        if cause.filename is None:  # a disk that is full: pycnc lab canon … > file
             drop_stdout()
         return USAGE
     fail(f"pycnc: error[internal]: {type(cause).__name__}: {cause}")

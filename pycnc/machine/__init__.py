@@ -409,7 +409,8 @@ def _problem(error, data):
 
 def _moved(given):
     """Say where a value that was one has gone."""
-    return ": the S-shape is a kind of planning, --plan sshape" if given == "sshape" else ""
+    sshape = ": the S-shape is a kind of planning, pycnc lab time --plan sshape"
+    return sshape if given == "sshape" else ""
 
 
 def _unknown(path):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The paths of the experiments, and look-ahead over N segments on them: arrays and numbers.
 
-`pycnc bench cao`, `pycnc bench keinert` and docs/papers.md show them.
+`pycnc lab bench cao`, `pycnc lab bench keinert` and docs/papers.md show them.
 """
 
 import json

@@ -92,11 +92,11 @@ def test_bad_text_gives_one_clear_diagnostic(name):
 
 
 @pytest.mark.sample(quick=1)
-@pytest.mark.parametrize("verb", ["canon", "time", "run", "plot"])
+@pytest.mark.parametrize("verb", ["lab canon", "time", "run", "plot"])
 @pytest.mark.parametrize("name", ["empty", "binary", "missing feed", "line of 10 MB"])
 def test_every_verb_refuses_bad_text(verb, name, tmp_path):
     picture = ["-o", tmp_path / "x.png"] if verb == "plot" else []
-    result = pycnc(verb, "-", *picture, stdin=BAD[name][0])
+    result = pycnc(*verb.split(), "-", *picture, stdin=BAD[name][0])
     assert result.code == 1
     assert f"error[{BAD[name][1]}]" in result.err
     assert "Traceback" not in result.err
@@ -170,7 +170,7 @@ def test_a_feed_beside_its_units_is_read_in_them_with_a_note():
     text = b"G90 G17 G94 G20 F10\nG1 X1\nM2\n"
     (note,) = json.loads(pycnc("check", "--json", "-", stdin=text).out)
     assert (note["id"], note["severity"], note["line"]) == ("feed-units", "note", 1)
-    assert "F254 mm/min" in pycnc("canon", "-", stdin=text).out
+    assert "F254 mm/min" in pycnc("lab", "canon", "-", stdin=text).out
 
 
 def test_the_travel_message_names_the_end_that_was_passed():
@@ -186,10 +186,10 @@ def test_every_id_of_the_kernel_has_words():
 # Files
 
 
-@pytest.mark.parametrize("verb", ["check", "canon", "time", "run"])
+@pytest.mark.parametrize("verb", ["check", "lab canon", "time", "run"])
 def test_a_file_that_cannot_be_read_is_told(verb, tmp_path):
     for name in (tmp_path, tmp_path / "missing.nc", tmp_path / "a" / "b.nc"):
-        result = pycnc(verb, name)
+        result = pycnc(*verb.split(), name)
         assert result.code == 2
         assert f"{name}: error[file]: cannot read it: " in result.err
         assert "Traceback" not in result.err

@@ -47,8 +47,8 @@ def script(*arguments, **options):
 def test_the_verbs_are_those_that_are_built():
     shown = pycnc("--help").out
     verbs = re.findall(r"^  (\w+) {2,}\S", shown.split("Commands:")[1], re.M)
-    built = "look check canon time why report run controller serve plot compare sweep bench"
-    assert verbs == [*built.split(), "machine", "linuxcnc"]
+    built = "look check time why report run serve plot compare sweep"
+    assert verbs == [*built.split(), "machine", "linuxcnc", "lab"]
 
 
 def test_check_tells_all_diagnostics_with_line_caret_and_help(wrong, good):
@@ -97,7 +97,7 @@ def test_quiet_check_leaves_out_the_notes():
 
 
 def test_canon_lists_exact_decimals(good):
-    lines = pycnc("canon", good).out.splitlines()
+    lines = pycnc("lab", "canon", good).out.splitlines()
     assert lines[:2] == ["2 output S1200", "2 output M3"]
     assert lines[2] == "3 line X10.000000 Y0.500000 Z0.000000 F600 mm/min"
     arc = re.fullmatch(
@@ -110,7 +110,7 @@ def test_canon_lists_exact_decimals(good):
 
 
 def test_canon_as_json_and_in_inches(good):
-    lines = pycnc("canon", "--json", "--units", "inch", good).out.splitlines()
+    lines = pycnc("lab", "canon", "--json", "--units", "inch", good).out.splitlines()
     line = json.loads(lines[2])
     assert line["axes"]["X"] == "0.3937007874"
     assert (line["feed"], line["feed_unit"]) == (pytest.approx(600 / 25.4), "in/min")
@@ -178,7 +178,7 @@ def test_time_names_machine_and_slope_and_tells_what_was_assumed():
     assert re.match(r"<stdin> on mill3, slope optimal: 1\.0\d\d s \(cut 1\.", result.out)
     assert "note[assumed-units]" in result.err
     assert pycnc("time", "-q", "-", stdin=b"G1 X10 F600\nM2\n").err == ""
-    grades = pycnc("time", "-", "--plan", "grades", stdin=GOOD)
+    grades = pycnc("lab", "time", "-", "--plan", "grades", stdin=GOOD)
     assert "slope linear, planned by grades: " in grades.out
 
 
@@ -328,13 +328,13 @@ def test_the_machines_are_listed_and_shown():
         (["run", "-", "-o", "/nowhere/trace.npz"], 2),
         (["run", "-", "--plot", "/nowhere/picture.png"], 2),
         (["run", "-", "--plot", "picture.xyz"], 2),
-        (["run", "-", "--prep-steps", "0"], 2),
-        (["run", "-", "--prep-steps", "99999999999"], 2),
+        (["lab", "run", "-", "--prep-steps", "0"], 2),
+        (["lab", "run", "-", "--prep-steps", "99999999999"], 2),
         (["run", "-", "-o", ""], 2),
         (["run", "-", "--plot", ""], 2),
         (["plot", "-", "-o", "."], 2),
-        (["time", "-", "--backend", "opencl"], 4),
-        (["bench", "frobnicate"], 2),
+        (["lab", "time", "-", "--backend", "opencl"], 4),
+        (["lab", "bench", "frobnicate"], 2),
         (["machine", "validate", "nowhere"], 2),
         (["check", "-"], 0),
     ],
@@ -446,7 +446,7 @@ def _session(leader):
 def test_a_reader_that_leaves_early_is_no_error(tmp_path):
     file = tmp_path / "many.nc"
     file.write_bytes(b"G21 G90 F600\n" + b"G1 X1\nG1 X2\n" * 20_000 + b"M2\n")
-    command = f"{sys.executable} -m pycnc.cli canon {file} | head -1; echo ${{PIPESTATUS[0]}}"
+    command = f"{sys.executable} -m pycnc.cli lab canon {file} | head -1; echo ${{PIPESTATUS[0]}}"
     done = subprocess.run(["bash", "-c", command], capture_output=True, timeout=120)
     assert done.stdout.split()[-1] == b"0"
     assert done.stderr == b""

@@ -63,6 +63,6 @@ def test_a_comparison_with_our_own_machine(part, machine):
 
 
 def test_what_is_this_kernel_s_alone_is_refused(part):
-    found = pycnc("run", part, "-m", "router", "--prep-steps", 1)
+    found = pycnc("lab", "run", part, "-m", "router", "--prep-steps", 1)
     assert found.code == 2 and "--set control.kind=nck" in found.err
     assert len(found.err.splitlines()) == 1

@@ -61,8 +61,8 @@ COMMAND = "from pycnc.cli import main; main()"
 @pytest.mark.thorough
 def test_the_command_line_needs_no_extra(bare):
     assert bare(COMMAND, "--help").returncode == 0
-    for verb in ("check", "canon", "time", "run"):
-        done = bare(COMMAND, verb, "--json", "-", input=PROGRAM)
+    for verb in ("check", "lab canon", "time", "run"):
+        done = bare(COMMAND, *verb.split(), "--json", "-", input=PROGRAM)
         assert (done.returncode, done.stderr) == (0, b""), verb
     assert b"What holds it back" in bare(COMMAND, "run", "-", input=PROGRAM).stdout
 
@@ -85,9 +85,9 @@ print(json.dumps([pycnc.plan(program).time_s, pycnc.run(program).summary["time_s
         (["plot", "-", "-o", "x.png"], 2, 'pip install "pycnc-nck[plot]"'),
         (["run", "-", "--plot", "x.png"], 2, 'pip install "pycnc-nck[plot]"'),
         (["run", "-", "-o", "x.parquet"], 2, 'pip install "pycnc-nck[trace]"'),
-        (["bench", "cao", "-o", "figures"], 2, 'pip install "pycnc-nck[plot]"'),
-        (["bench", "bounds"], 2, 'pip install "pycnc-nck[bounds]"'),
-        (["time", "-", "--plan", "grades", "--backend", "opencl"], 4, "pycnc-nck[opencl]"),
+        (["lab", "bench", "cao", "-o", "figures"], 2, 'pip install "pycnc-nck[plot]"'),
+        (["lab", "bench", "bounds"], 2, 'pip install "pycnc-nck[bounds]"'),
+        (["lab", "time", "-", "--plan", "grades", "--backend", "opencl"], 4, "pycnc-nck[opencl]"),
     ],
 )
 def test_what_is_absent_is_named_in_one_sentence(bare, arguments, code, words, tmp_path):

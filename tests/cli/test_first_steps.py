@@ -15,6 +15,7 @@ from command_line import pycnc
 import pycnc as package
 from pycnc import kernel, stages
 from pycnc.cli import app, options
+from pycnc.cli.door import lab, machines
 from pycnc.controller import CONTROLLERS
 from pycnc.machine import shipped
 from pycnc.planning.plan import BACKENDS, SLOPES
@@ -27,7 +28,7 @@ HEAVY = ("matplotlib", "pandas", "pycnc.device", "pycnc.planning.grades", "pycnc
          "multiprocessing")
 COMMANDS = {
     tuple(name.split()): command
-    for group, before in ((app, ""), (app.registered_groups[0].typer_instance, "machine "))
+    for group, before in ((app, ""), (machines, "machine "), (lab, "lab "))
     for command in group.registered_commands
     for name in [before + command.name]
 }
@@ -75,9 +76,9 @@ def test_the_example_of_a_verb_works_as_it_is_written(verb, tmp_path, monkeypatc
     shown = pycnc(*verb, "--help").out
     example = " ".join(shown.split("Example: pycnc ")[1].split())
     assert tuple(shlex.split(example)[: len(verb)]) == verb
-    if verb == ("bench",):
-        example = "bench"  # the list of subjects: a bench takes its time
-    if verb in (("controller",), ("serve",)):
+    if verb == ("lab", "bench"):
+        example = "lab bench"  # the list of subjects: a bench takes its time
+    if verb in (("lab", "controller"), ("serve",)):
         return  # tests/controller builds and runs the one, and talks to the other until Ctrl-C
     result = pycnc(*shlex.split(example))
     assert (result.code, result.err.count("error[")) == (0, 0)
@@ -95,15 +96,25 @@ def test_the_example_of_a_verb_works_as_it_is_written(verb, tmp_path, monkeypatc
 )
 def test_help_lists_what_an_option_takes(choices, names):
     assert sorted(choices) == sorted(names)
-    shown = pycnc("run", "--help").out + pycnc("controller", "--help").out
+    shown = pycnc("lab", "run", "--help").out + pycnc("lab", "controller", "--help").out
     assert f"<{'|'.join(choices)}>" in shown
 
 
 def test_verbose_stands_only_where_more_is_told():
     has = [verb for verb in COMMANDS if "--verbose" in pycnc(*verb, "--help").out]
-    assert has == [("check",), ("run",)]
+    assert has == [("check",), ("run",), ("lab", "run")]
     assert "note[" in pycnc("run", "-v", "-", stdin=b"G1 X1 F100\n").err
     assert "note[" not in pycnc("run", "-", stdin=b"G1 X1 F100\n").err
+
+
+@pytest.mark.parametrize("verb", ["time", "run", "plot"])
+def test_what_is_the_labs_stands_there_alone(verb):
+    for option in ("--plan=grades", "--backend=c", "--prep-steps=9"):
+        refused = pycnc(verb, "-", option, stdin=PART)
+        assert refused.code == 2 and "No such option" in refused.err
+    assert pycnc("canon", "-", stdin=PART).code == 2
+    own = {words[1] for words in COMMANDS if words[0] == "lab"}
+    assert own == {"bench", "canon", "controller", "run", "time"}
 
 
 def test_slope_is_short_for_its_setting():
@@ -147,13 +158,13 @@ def completing(step, **environment):
     ],
 )
 def test_a_setting_without_effect_is_a_warning(arguments, words):
-    result = pycnc("time", "-", *arguments, stdin=PART)
+    result = pycnc("lab", "time", "-", *arguments, stdin=PART)
     told = [line for line in result.err.splitlines() if "no-effect" in line]
     assert result.code == 0
     assert len(told) == bool(words)
     if words and words != "limits jerk":
         assert words in told[0]
-    quiet = pycnc("time", "-q", "-", *arguments, stdin=PART)
+    quiet = pycnc("lab", "time", "-q", "-", *arguments, stdin=PART)
     assert (quiet.code, quiet.err) == (0, "")
 
 

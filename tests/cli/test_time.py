@@ -166,7 +166,7 @@ def test_a_program_without_time_has_no_parts(by):
 
 
 def test_grades_are_not_told_by_parts():
-    result = pycnc("time", "-", "--plan", "grades", "--by", "tool", stdin=PROGRAM)
+    result = pycnc("lab", "time", "-", "--plan", "grades", "--by", "tool", stdin=PROGRAM)
     assert result.code == 2
     assert "grades" in result.err
     with pytest.raises(errors.ArgumentError, match="no parts by 'colour'"):

@@ -153,7 +153,7 @@ def test_a_missing_tool_is_named_with_its_remedy(monkeypatch, tmp_path, missing)
 
     monkeypatch.setattr(controller.shutil, "which", look)
     controller._build.cache_clear()
-    result = pycnc("controller", file, "--on", "m7")
+    result = pycnc("lab", "controller", file, "--on", "m7")
     assert result.code == 4
     assert re.search(rf"error\[controller\]: {missing} is not installed.*apt-get", result.err)
 
@@ -163,11 +163,11 @@ def test_what_the_controller_does_not_take_is_a_usage_error(controllers, tmp_pat
     file.write_text(PROGRAM)
     wrong = (["--at", "100 fly"], ["--at", "hold"], ["--at", "9 override 500 1"])
     for words in wrong:
-        result = pycnc("controller", file, "--on", "host", *words)
+        result = pycnc("lab", "controller", file, "--on", "host", *words)
         assert result.code == 2 and "pycnc: error[" in result.err
-    assert pycnc("controller", file, "-o", "t.npz").code == 2
+    assert pycnc("lab", "controller", file, "-o", "t.npz").code == 2
     assert pycnc("run", file, "--at", "100 hold").code == 2
-    assert pycnc("controller", file, "--on", "m9").code == 2
+    assert pycnc("lab", "controller", file, "--on", "m9").code == 2
     with pytest.raises(errors.ArgumentError):
         controllers("host").run(PROGRAM, prep_step=3)
 
@@ -204,14 +204,14 @@ def test_a_slope_that_the_firmware_lacks_is_refused_or_the_next_one_taken(contro
 def test_run_on_a_controller_tells_state_load_and_hash(controllers, tmp_path):
     file = tmp_path / "part.nc"
     file.write_text(PROGRAM)
-    words = ["controller", file, "--on", "host", "--at", "400 hold", "--at", "900 resume"]
+    words = ["lab", "controller", file, "--on", "host", "--at", "400 hold", "--at", "900 resume"]
     facts = json.loads(pycnc(*words, "--json").out)
     assert facts["state"] == "done" and facts["controller"] == "host" and facts["overruns"] == 0
     assert [state for _, state in facts["events"]][-2:] == ["run", "done"]
     shown = pycnc(*words)
     assert shown.code == 0 and facts["hash"] in shown.out
     file.write_text(ERROR)
-    wrong = pycnc("controller", file, "--on", "host")
+    wrong = pycnc("lab", "controller", file, "--on", "host")
     assert wrong.code == 1 and "error[unsupported]" in wrong.err
 
 

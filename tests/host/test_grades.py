@@ -284,21 +284,21 @@ def test_every_variant_of_the_bench_gives_the_same_grades():
 def test_run_tells_that_it_was_planned_by_grades(tmp_path):
     file = tmp_path / "part.ngc"
     file.write_text("G21 G90 G17 S900 M3\nF1200 G1 X10\nG4 P0.1\nG2 X20 Y10 I0 J10\nM30\n")
-    result = command("run", "--plan", "grades", "--json", file)
+    result = command("lab", "run", "--plan", "grades", "--json", file)
     facts = json.loads(result.out)
     assert result.code == 0 and facts["plan"] == "grades"
     assert facts["path_error_mm"] <= 1e-6 and facts["starved_ticks"] == 0
     assert facts["limit_time_s"]["dwell"] == pytest.approx(0.1)
-    timed = json.loads(command("time", "--plan", "grades", "--json", file).out)
+    timed = json.loads(command("lab", "time", "--plan", "grades", "--json", file).out)
     assert timed["plan"] == "grades" and timed["time_s"] == facts["time_s"]
-    assert json.loads(command("run", "--json", file).out)["plan"] == "exact"
+    assert json.loads(command("lab", "run", "--json", file).out)["plan"] == "exact"
 
 
 def test_an_unknown_plan_is_a_wrong_call(tmp_path):
     file = tmp_path / "part.ngc"
     file.write_text("G21 G90 F600 G1 X1\nM2\n")
     for verb in ("run", "time"):
-        result = command(verb, "--plan", "bubbles", file)
+        result = command("lab", verb, "--plan", "bubbles", file)
         assert result.code == 2 and "'exact', 'grades'" in result.err
 
 
@@ -326,7 +326,7 @@ def test_a_named_device_that_is_absent_is_a_failure_with_a_remedy(tmp_path, monk
     monkeypatch.setenv("PYCNC_DEVICE", "no such device")
     file = tmp_path / "part.ngc"
     file.write_text("G21 G90 F600 G1 X1\nM2\n")
-    result = command("run", "--plan", "grades", "--backend", "opencl", file)
+    result = command("lab", "run", "--plan", "grades", "--backend", "opencl", file)
     assert result.code == 4 and "pip install" in result.err
-    assert command("run", "--plan", "grades", file).code == 0
-    assert command("run", "--backend", "opencl", file).code == 4
+    assert command("lab", "run", "--plan", "grades", file).code == 0
+    assert command("lab", "run", "--backend", "opencl", file).code == 4

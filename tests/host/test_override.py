@@ -56,7 +56,7 @@ def test_this_kernels_override_is_that_of_its_clock(tmp_path):
     assert told["time_s"] == run(text, commands=[(0, "override", 50, 100)]).summary["time_s"]
     assert told["override"] == 50 and "cut_s" not in told
     for words in (["--by", "line"], ["--left", "3"], ["--plan", "grades"], ["-"]):
-        refused = pycnc("time", "-", "--override", "50", *words, stdin=text.encode())
+        refused = pycnc("lab", "time", "-", "--override", "50", *words, stdin=text.encode())
         assert refused.code == 2 and "error[override]" in refused.err, words
 
 

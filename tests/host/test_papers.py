@@ -326,7 +326,7 @@ def test_every_figure_of_the_page_is_there_and_is_a_picture(root):
 
 @pytest.mark.seldom(4, "pycnc/bench", "pycnc/papers", "docs/figures")
 def test_the_command_that_the_page_names_draws_what_it_shows(root, tmp_path):
-    done = pycnc("bench", "cao", "--json", "-o", tmp_path)
+    done = pycnc("lab", "bench", "cao", "--json", "-o", tmp_path)
     assert done.code == 0
     assert json.loads(done.out)["bench"] == "cao"
     assert {row["kind"] for row in json.loads(done.out)["rows"]} == {*KINDS, "fixed"}
@@ -337,6 +337,6 @@ def test_the_command_that_the_page_names_draws_what_it_shows(root, tmp_path):
 def test_a_folder_that_cannot_be_made_is_told(tmp_path):
     taken = tmp_path / "taken"
     taken.write_text("")
-    done = pycnc("bench", "cao", "-o", taken)
+    done = pycnc("lab", "bench", "cao", "-o", taken)
     assert done.code == 2
     assert "cannot write it" in done.err

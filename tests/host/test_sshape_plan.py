@@ -229,12 +229,11 @@ def part(tmp_path):
     [
         ["time", "--slope", "sshape"],
         ["time", "--set", "path.slope=sshape"],
-        ["controller", "--set", "path.slope=sshape"],
+        ["lab", "controller", "--set", "path.slope=sshape"],
     ],
 )
 def test_as_a_slope_it_is_refused_and_the_way_is_told(part, words):
-    verb, *options = words
-    refused = command(verb, part, *options)
+    refused = command(*words, part)
     assert refused.code == 2 and "is a kind of planning" in refused.err
     assert "--plan sshape" in refused.err
 
@@ -253,14 +252,15 @@ def test_what_only_an_exact_plan_tells_is_refused(part):
     with pytest.raises(pycnc.errors.ArgumentError, match="only an exact plan"):
         pycnc.plan(part, plan="sshape").why()
     assert "by the S-shape is not told by parts" in command(
-        "time", part, "--plan", "sshape", "--by", "tool"
+        "lab", "time", part, "--plan", "sshape", "--by", "tool"
     ).err
 
 
 def test_a_run_and_its_time_say_so_and_agree(part):
-    ran, timed = (command(verb, part, "--plan", "sshape", "--json") for verb in ("run", "time"))
+    how = ("--plan", "sshape", "--json")
+    ran, timed = (command("lab", verb, part, *how) for verb in ("run", "time"))
     assert ran.code == timed.code == 0
     facts, told = json.loads(ran.out), json.loads(timed.out)
     assert facts["plan"] == told["plan"] == "sshape" and told["slope"] == "jerk"
     assert facts["time_s"] == told["time_s"]
-    assert "planned by the S-shape" in command("time", part, "--plan", "sshape").out
+    assert "planned by the S-shape" in command("lab", "time", part, "--plan", "sshape").out

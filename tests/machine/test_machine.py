@@ -257,7 +257,7 @@ def test_what_the_kernel_refuses_is_told_with_its_key(key):
         ("min_mm = 5\nmax_mm = 5", "axis.x.min_mm", "below max_mm"),
         ("min_mm = 5", "start.x_mm", "within the travel 5 … free (is 0"),
         ('[path]\nslope = "round"', "path.slope", "'linear', 'jerk' or 'optimal' (is 'round')"),
-        ('[path]\nslope = "sshape"', "path.slope", "a kind of planning, --plan sshape"),
+        ('[path]\nslope = "sshape"', "path.slope", "planning, pycnc lab time --plan sshape"),
         ("[path]\nlookahead_blocks = 1", "path.lookahead_blocks", "2 at least"),
         ("[path]\nlookahead_blocks = 1.5", "path.lookahead_blocks", "whole number"),
         ("[path]\nlookahead_blocks = 99999999", "path.lookahead_blocks", "at most"),

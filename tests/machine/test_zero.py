@@ -151,8 +151,8 @@ def test_verbs_take_a_zero(tmp_path):
     file.write_text(machine.text)
     at = ",".join(str(Decimal(low) + 1) for low in ends[::2])
     program = b"G21 G90\nG1 X10 Y5 Z2 F600\nM2\n"
-    for verb in ("check", "time", "canon", "why", "run"):
-        told = pycnc(verb, "-", "-m", file, f"--zero={at}", stdin=program)
+    for verb in ("check", "time", "lab canon", "why", "run"):
+        told = pycnc(*verb.split(), "-", "-m", file, f"--zero={at}", stdin=program)
         assert told.code == 0 and "work-zero" not in told.out + told.err, verb
-        told = pycnc(verb, "-", "-m", file, "--zero=1e9,0", stdin=program)
+        told = pycnc(*verb.split(), "-", "-m", file, "--zero=1e9,0", stdin=program)
         assert told.code == 2 and "work.g54.x_mm" in told.err

@@ -78,7 +78,7 @@ def test_what_a_page_links_to_is_there(page):
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
 def test_the_benches_that_a_page_names_exist(page):
-    named = re.findall(r"pycnc bench ((?:[a-z]+(?: \| )?)+)", page.read_text(encoding="utf-8"))
+    named = re.findall(r"pycnc lab bench ((?:[a-z]+(?: \| )?)+)", page.read_text(encoding="utf-8"))
     subjects = {subject for names in named for subject in names.split(" | ")}
     assert subjects <= set(bench.SUBJECTS)
 
