@@ -98,7 +98,7 @@ def machine_image(machine, set_name):
     axes, tools = given.get("NCK_AXIS_MAX", lib.NCK_AXIS_MAX), given.get("NCK_TOOL_MAX")
     lengths = {lib.NCK_AXIS_MAX: axes, lib.NCK_TOOL_MAX: tools or lib.NCK_TOOL_MAX}
     lengths[lib.NCK_OWN_M_MAX] = given.get("NCK_OWN_M_MAX", lib.NCK_OWN_M_MAX)
-    homes = 4 if given.get("NCK_CYCLES", 1) else 2  # NCK_HOMES
+    homes = 4 if given.get("NCK_CYCLES", 1) and given.get("NCK_LANGUAGE", 4) else 2  # NCK_HOMES
     image = np.zeros(1, _smaller(dtype("nck_machine_t"), lengths, homes))
     _copy(machine.record, image[0])
     return image.tobytes()

@@ -36,15 +36,19 @@
 #define NCK_CALL_DEPTH 16
 #endif
 
+// Words of shops that the language has. Range 0..4. 4: all of them. 3: no threads and taps, so that
+// the tick follows no spindle, and no mirrored, scaled, turned and polar coordinates (G15 G16 G50
+// G51 G50.1 G51.1 G68 G69, @ and ^). 2: nor what lathes have: Fanuc's systems of G codes, U and W
+// as steps, G96. 1: nor what one control has alone: modes (G5.1, G187), G codes of the machine's
+// own, printers' words, ports (M62 … M68), M70 … M73. 0: nor cycles and radius compensation,
+// whatever NCK_CYCLES, NCK_CONTOUR and NCK_COMP_SPAN say.
+#ifndef NCK_LANGUAGE
+#define NCK_LANGUAGE 4
+#endif
+
 // Canned cycles: G73 G81 G82 G83 G85 G86 G89, G98 G99. 0 leaves them out, and G30 P3 P4.
 #ifndef NCK_CYCLES
 #define NCK_CYCLES 1
-#endif
-
-// Mirrored, scaled, turned and polar coordinates: G15 G16 G50 G51 G50.1 G51.1 G68 G69. Range 0..1.
-// 0 leaves them out.
-#ifndef NCK_LAYOUTS
-#define NCK_LAYOUTS 1
 #endif
 
 // Lines and arcs of the contour of G70, G71, G72 and G73 (lathes). 0 or 8..10000. 0 leaves these
@@ -129,12 +133,17 @@
 // layouts.
 #define NCK_HAS_VARIABLES (NCK_VARIABLES > 0)
 #define NCK_HAS_CALLS (NCK_VARIABLES > 0 && NCK_CALL_DEPTH > 0)
-#define NCK_HAS_CYCLES (NCK_CYCLES > 0)
-#define NCK_HAS_LAYOUTS (NCK_LAYOUTS > 0)
-#define NCK_HAS_CONTOUR (NCK_CYCLES > 0 && NCK_CONTOUR > 0)
+#define NCK_HAS_CYCLES (NCK_LANGUAGE > 0 && NCK_CYCLES > 0)
+#define NCK_HAS_LAYOUTS (NCK_LANGUAGE > 3)
+#define NCK_HAS_CONTOUR (NCK_HAS_CYCLES && NCK_CONTOUR > 0)
+// Whether it has threads and taps, which are cycles' kin; words of lathes; those that one control
+// has alone.
+#define NCK_HAS_THREADS (NCK_LANGUAGE > 3 && NCK_HAS_CYCLES)
+#define NCK_HAS_LATHE (NCK_LANGUAGE > 2)
+#define NCK_HAS_FOREIGN (NCK_LANGUAGE > 1)
 
 // Whether there is radius compensation; smoothing; the jerk-limited slope.
-#define NCK_HAS_COMP (NCK_COMP_SPAN > 0)
+#define NCK_HAS_COMP (NCK_LANGUAGE > 0 && NCK_COMP_SPAN > 0)
 #define NCK_HAS_SMOOTH (NCK_SMOOTH_SPAN > 0)
 #define NCK_HAS_JERK (NCK_PROFILE > 0)
 // Whether the stop at a sharp corner and the start behind it may overlap.
@@ -152,12 +161,12 @@
 // What holds the state of cycles, of layouts, of parameters and calls, of compensation, of
 // smoothing, of the jerk-limited slope. Where they are left out it is only read, as zero: one place
 // serves all members.
-#if NCK_CYCLES > 0
+#if NCK_HAS_CYCLES
 #define NCK_CYCLE_STATE struct
 #else
 #define NCK_CYCLE_STATE union
 #endif
-#if NCK_LAYOUTS > 0
+#if NCK_HAS_LAYOUTS
 #define NCK_LAYOUT_STATE struct
 #else
 #define NCK_LAYOUT_STATE union
@@ -167,7 +176,7 @@
 #else
 #define NCK_MACRO_STATE union
 #endif
-#if NCK_COMP_SPAN > 0
+#if NCK_HAS_COMP
 #define NCK_COMP_STATE struct
 #else
 #define NCK_COMP_STATE union
@@ -226,14 +235,14 @@
 #define NCK_MOTION_LANES 8
 
 // Reference points: G28, G30 (P2), G30 P3, G30 P4.
-#if NCK_CYCLES > 0
+#if NCK_HAS_CYCLES
 #define NCK_HOMES 4
 #else
 #define NCK_HOMES 2
 #endif
 
 // Rows of arrays that may be left out.
-#if NCK_COMP_SPAN > 0
+#if NCK_HAS_COMP
 #define NCK_COMP_ROWS NCK_COMP_SPAN
 #else
 #define NCK_COMP_ROWS 1
@@ -262,7 +271,7 @@
 #else
 #define NCK_PROFILE_ROWS 1
 #endif
-#if NCK_CONTOUR > 0
+#if NCK_HAS_CONTOUR
 #define NCK_CONTOUR_ROWS NCK_CONTOUR
 #else
 #define NCK_CONTOUR_ROWS 1
@@ -272,7 +281,7 @@
 #else
 #define NCK_VARIABLE_ROWS 1
 #endif
-#if NCK_LAYOUTS > 0
+#if NCK_HAS_LAYOUTS
 #define NCK_TURNED_ROWS 9 // work systems that may be turned: NCK_WORK_SYSTEMS
 #else
 #define NCK_TURNED_ROWS 1
@@ -295,6 +304,9 @@
 #endif
 #if NCK_CALL_DEPTH < 0 || NCK_CALL_DEPTH > 1000
 #error "NCK_CALL_DEPTH must be 0..1000"
+#endif
+#if NCK_LANGUAGE < 0 || NCK_LANGUAGE > 4
+#error "NCK_LANGUAGE must be 0..4"
 #endif
 #if NCK_CONTOUR != 0 && (NCK_CONTOUR < 8 || NCK_CONTOUR > 10000)
 #error "NCK_CONTOUR must be 0 or 8..10000"

@@ -40,10 +40,10 @@ RUNTIME = "C runtime"
 SMOOTHED = "_smoothed"
 WIRES = "nck.c (wires)"
 SETS = {
-    "linear": "linear", "jerk": "jerk", "small": "small", "optimal": "optimal",
+    "linear": "linear", "jerk": "jerk", "mill": "mill", "small": "small", "optimal": "optimal",
     "default": "medium, the default", "host": "host",
 }  # fmt: skip
-LEAN_SETS = ("linear", "jerk", "small", "optimal")
+LEAN_SETS = ("linear", "jerk", "mill", "small", "optimal")
 FLASH = "flash [bytes]"
 LINKED = "flash that a firmware links, -Os [bytes]"
 DEEPEST = "deepest stack of a call [bytes]"

@@ -37,6 +37,7 @@ static double radius(const nck_seg_t *seg, double s) {
 static double flat(const nck_seg_t *seg) { return seg->spin.speed / seg->spin.most; }
 
 int nck_divide_begin(nck_smooth_t *self, const nck_seg_t *seg) {
+    if (!NCK_HAS_LATHE) return 0;
     const double a = self->terms->machine->spindle.a_max_rpm_s;
     const int moves = seg->kind < NCK_SEG_DWELL && seg->spin.most > 0.0;
     if (!moves || !(seg->spin.per_rev > 0.0 || a > 0.0)) return 0;
@@ -82,6 +83,7 @@ static double follows_at(const nck_seg_t *seg, double from, double to, double a)
 }
 
 void nck_divide_next(nck_smooth_t *self, nck_seg_t *seg_out) {
+    if (!NCK_HAS_LATHE) return;
     const nck_seg_t *const seg = &self->divide.seg;
     const double from = self->divide.from;
     const double to = piece_end(seg, from);

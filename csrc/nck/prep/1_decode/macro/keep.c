@@ -77,6 +77,7 @@ static void restore(nck_decode_t *self, const nck_state_t *state) {
 }
 
 nck_status_t nck_state_give(nck_decode_t *self, nck_step_t step, nck_block_t *out) {
+    if (!NCK_HAS_FOREIGN) return NCK_EMPTY;
     const nck_modes_t *const modal = &self->modal;
     const uint32_t all = self->states.pending;
     const uint32_t first = all & (0u - all);
@@ -98,6 +99,7 @@ nck_status_t nck_state_give(nck_decode_t *self, nck_step_t step, nck_block_t *ou
 }
 
 void nck_state_return(nck_decode_t *self, uint32_t level) {
+    if (!NCK_HAS_FOREIGN) return;
     nck_state_t *const state = find(self, level + 1);
     if (state == NULL) return;
     state->level = 0;
@@ -109,6 +111,7 @@ void nck_state_return(nck_decode_t *self, uint32_t level) {
 }
 
 nck_status_t nck_decode_state(nck_decode_t *self, nck_block_t *out) {
+    if (!NCK_HAS_FOREIGN) return fail(self, NCK_E_UNSUPPORTED, 0.0, 0.0);
     const uint16_t code = self->words.code[NCK_STEP_STATE];
     if (code == GIVES) return nck_state_give(self, NCK_STEP_STATE, out);
     if (code == 700 || code == 730) {

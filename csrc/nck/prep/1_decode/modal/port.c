@@ -70,11 +70,10 @@ static nck_status_t read_input(nck_decode_t *self, nck_block_t *out) {
     return status;
 }
 
-nck_status_t nck_decode_port(nck_decode_t *self, nck_block_t *out) {
+static nck_status_t set_output(nck_decode_t *self, nck_block_t *out) {
     const uint16_t code = self->words.code[NCK_STEP_PORT];
     uint32_t port = 0;
     double value = 0.0;
-    if (code == 660) return read_input(self, out);
     const int analogue = code >= 670;
     nck_status_t status = read_port(self, analogue ? 'E' : 'P', &port);
     if (status == NCK_OK && analogue && !has(self, 'Q')) status = fail_missing(self, 'Q');
@@ -82,4 +81,9 @@ nck_status_t nck_decode_port(nck_decode_t *self, nck_block_t *out) {
     if (status != NCK_OK) return status;
     if (analogue) return give(self, NCK_OUTPUT_ANALOGUE, port, value, out);
     return give(self, NCK_OUTPUT_DIGITAL, port, code == 620 || code == 640 ? 1.0 : 0.0, out);
+}
+
+nck_status_t nck_decode_port(nck_decode_t *self, nck_block_t *out) {
+    if (!NCK_HAS_FOREIGN) return nck_decode_fail_code(self, NCK_E_UNSUPPORTED, NCK_STEP_PORT);
+    return self->words.code[NCK_STEP_PORT] == 660 ? read_input(self, out) : set_output(self, out);
 }

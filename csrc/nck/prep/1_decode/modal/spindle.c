@@ -113,6 +113,7 @@ static double speed_here(const nck_decode_t *self) {
 nck_status_t nck_decode_speed_mode(nck_decode_t *self, nck_block_t *out) {
     const uint8_t on = self->words.code[NCK_STEP_SPEED_MODE] == 960;
     const uint8_t before = self->modal.surface_on;
+    if (!NCK_HAS_LATHE) return on ? fail_mode(self, NCK_E_UNSUPPORTED, 0) : NCK_EMPTY;
     const nck_status_t status = on ? check_surface(self) : NCK_EMPTY;
     if (status != NCK_EMPTY) return status;
     self->modal.surface_on = on;

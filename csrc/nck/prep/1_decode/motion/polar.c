@@ -100,6 +100,7 @@ static nck_status_t find_place(nck_decode_t *self) {
 }
 
 nck_status_t nck_polar_resolve(nck_decode_t *self) {
+    if (!NCK_HAS_LAYOUTS) return NCK_E_UNSUPPORTED;
     nck_words_t *const words = &self->words;
     const uint32_t letters = NCK_LETTER('X') | NCK_LETTER('Y');
     if (words->letters & letters) return fail(self, NCK_E_WORD_SHARED);
@@ -113,6 +114,7 @@ nck_status_t nck_polar_resolve(nck_decode_t *self) {
 }
 
 void nck_polar_next(nck_decode_t *self) {
+    if (!NCK_HAS_LAYOUTS) return;
     nck_words_t *const words = &self->words;
     words->polar_at[0] += words->polar_step[0];
     words->polar_at[1] += words->polar_step[1];

@@ -33,7 +33,7 @@ nck_status_t nck_decode_tap(nck_decode_t *self, const int64_t *bottom_nm, double
     nck_tap_t tap = {.lead = lead, .dwell = (float)dwell_s};
     nck_pass_t pass;
     nck_ramp_t back;
-    if (!NCK_HAS_CYCLES) return NCK_E_UNSUPPORTED;
+    if (!NCK_HAS_THREADS) return NCK_E_UNSUPPORTED;
     for (unsigned axis = 0; axis < 3; axis++) {
         tap.way[axis] = (double)(bottom_nm[axis] - self->place.position_nm[axis]) * 1e-6;
     }
@@ -52,6 +52,7 @@ nck_status_t nck_decode_tap(nck_decode_t *self, const int64_t *bottom_nm, double
 
 // G33.1: to the place that the words name and back.
 nck_status_t nck_decode_single_tap(nck_decode_t *self, nck_block_t *out) {
+    if (!NCK_HAS_THREADS) return NCK_E_UNSUPPORTED;
     int64_t bottom_nm[NCK_AXIS_MAX];
     double lead = 0.0;
     int moves = 0;

@@ -83,6 +83,7 @@ static nck_status_t check_travel(nck_decode_t *self, const int64_t *end_nm,
 
 nck_status_t nck_decode_pass(nck_decode_t *self, const int64_t *end_nm, nck_thread_t *thread,
                              nck_block_t *out) {
+    if (!NCK_HAS_THREADS) return NCK_E_UNSUPPORTED;
     double start[NCK_AXIS_MAX];
     double end[NCK_AXIS_MAX];
     machine_mm(self, self->place.position_nm, start);
@@ -137,6 +138,7 @@ static double measure(const nck_decode_t *self, const int64_t *end_nm) {
 }
 
 nck_status_t nck_decode_single_pass(nck_decode_t *self, nck_block_t *out) {
+    if (!NCK_HAS_THREADS) return NCK_E_UNSUPPORTED;
     nck_thread_t thread = {0};
     int64_t end_nm[NCK_AXIS_MAX];
     self->modal.motion = NCK_MOTION_PASS;

@@ -276,6 +276,7 @@ static int is_later(const uint16_t *codes, size_t count, int64_t tenths, uint32_
 }
 
 static int is_named(int g, int64_t tenths, uint32_t who) {
+    if (!NCK_HAS_FOREIGN) return 0;
     return g ? is_later(ALL_OF(g_later), tenths, who) : is_later(ALL_OF(m_later), tenths, who);
 }
 
@@ -298,8 +299,21 @@ int nck_decode_follows(const nck_decode_t *self, int32_t motion) {
     return motion >= NCK_MOTION_FINISH && motion <= NCK_MOTION_PATTERN && (self->lathe || g70);
 }
 
+static int is_thread(const code_t *code) {
+    switch (code->name & CODE) {
+    case NCK_MOTION_PASS:
+    case NCK_MOTION_TAP:
+    case NCK_MOTION_TAP_RIGHT:
+    case NCK_MOTION_TAP_LEFT:
+    case NCK_MOTION_THREAD: return 1;
+    case NCK_MOTION_SCREW: return code->takes != BORE;
+    default: return 0;
+    }
+}
+
 // What a machine must be for a code: a lathe, or one that says what probes meet.
 static int is_able(const nck_decode_t *self, const code_t *code) {
+    if (!NCK_HAS_THREADS && is_thread(code)) return 0;
     if (code->takes == SUB) return is_lathe(self);
     if (!nck_motion_probes(code->name & CODE)) return 1;
     return self->machine->dialect.probe != NCK_PROBE_REFUSED;

@@ -23,6 +23,7 @@ static int is_said(const nck_decode_t *self, const nck_own_g_t *own) {
 }
 
 int nck_decode_has_own_g(const nck_decode_t *self, int64_t tenths) {
+    if (!NCK_HAS_FOREIGN) return 0;
     const nck_machine_t *const machine = self->machine;
     for (uint32_t k = 0; k < machine->own_g_count; k++) {
         if (machine->own_g[k].code == tenths) return 1;
@@ -111,6 +112,7 @@ static nck_status_t choose(nck_decode_t *self, uint32_t tenths) {
 }
 
 nck_status_t nck_decode_mode(nck_decode_t *self) {
+    if (!NCK_HAS_FOREIGN) return nck_decode_fail_code(self, NCK_E_UNSUPPORTED, NCK_STEP_PATH);
     const uint32_t tenths = self->words.code[NCK_STEP_PATH];
     if (tenths >= G61_1 && tenths != G187) return join_group(self, tenths);
     const nck_status_t status = refuse_axes(self);
@@ -119,5 +121,6 @@ nck_status_t nck_decode_mode(nck_decode_t *self) {
 }
 
 void nck_decode_own_mode(nck_decode_t *self) {
+    if (!NCK_HAS_FOREIGN) return;
     explain(self, NCK_STEP_OWN, self->words.code[NCK_STEP_OWN] - NCK_CODE_OWN_G, 0);
 }

@@ -65,6 +65,7 @@ static const printer_code_t *find(const nck_decode_t *self, int64_t code) {
 }
 
 int nck_printer_names(int64_t tenths) {
+    if (!NCK_HAS_FOREIGN) return 0;
     if (tenths < 0 || tenths > CODE_LAST) return 0;
     const int32_t code = (int32_t)tenths / 10;
     const int32_t part = (int32_t)tenths % 10;
@@ -77,6 +78,7 @@ int nck_printer_has(const nck_decode_t *self, int64_t tenths) {
 }
 
 int nck_printer_has_g(const nck_decode_t *self, int64_t tenths, uint32_t *takes_out) {
+    if (!NCK_HAS_FOREIGN) return 0;
     unsigned k = 0;
     while (k < G_CODES && g_codes[k].tenths != tenths) k++;
     if (self->tongue != NCK_TONGUE_MARLIN || k == G_CODES) return 0;
@@ -93,6 +95,7 @@ int nck_printer_speaks(const nck_decode_t *self) {
 static int is_digit(char c) { return c >= '0' && c <= '9'; }
 
 const char *nck_printer_code(const char *at, nck_number_t *out) {
+    if (!NCK_HAS_FOREIGN) return NULL;
     const char *const first = at + 1;
     int32_t tenths = 0;
     if ((*at & ~0x20) != 'M') return NULL;
@@ -131,6 +134,7 @@ static int has_text(const nck_decode_t *self, unsigned step) {
 }
 
 const char *nck_printer_text(const nck_decode_t *self, const char *at, unsigned step) {
+    if (!NCK_HAS_FOREIGN) return at;
     const int numbered = (self->words.letters & NCK_LETTER('N')) != 0;
     int32_t value = 0;
     if (self->tongue != NCK_TONGUE_MARLIN || !has_text(self, step)) return at;
@@ -142,6 +146,7 @@ const char *nck_printer_text(const nck_decode_t *self, const char *at, unsigned 
 }
 
 nck_status_t nck_printer_checksum(nck_decode_t *self, const char **at) {
+    if (!NCK_HAS_FOREIGN) return NCK_E_UNSUPPORTED;
     int32_t value = 0, sum = 0;
     const char *const end = checksum_end(*at, &value);
     for (const char *each = self->line.text; each < *at; each++) {
@@ -154,6 +159,7 @@ nck_status_t nck_printer_checksum(nck_decode_t *self, const char **at) {
 }
 
 int nck_printer_flag(const nck_decode_t *self, char letter) {
+    if (!NCK_HAS_FOREIGN) return 0;
     const int homes = (self->words.codes & NCK_STEP(NCK_STEP_OFFSET)) != 0
                       && self->words.code[NCK_STEP_OFFSET] == 280;
     const int axis = letter >= 'X' && letter <= 'Z';
@@ -162,6 +168,7 @@ int nck_printer_flag(const nck_decode_t *self, char letter) {
 
 // All words are the code's.
 nck_status_t nck_printer_resolve(nck_decode_t *self) {
+    if (!NCK_HAS_FOREIGN) return NCK_OK;
     nck_words_t *const words = &self->words;
     words->steps = NCK_STEP(NCK_STEP_OWN);
     if (words->codes == words->steps) return NCK_OK;
@@ -184,6 +191,7 @@ static nck_status_t read_value(nck_decode_t *self, const printer_code_t *code, d
 }
 
 nck_status_t nck_decode_printer(nck_decode_t *self, nck_block_t *out) {
+    if (!NCK_HAS_FOREIGN) return NCK_EMPTY;
     const printer_code_t *const code = find(self, self->words.code[NCK_STEP_OWN] / 10);
     double value = 0.0;
     if (code == NULL) return NCK_EMPTY;
@@ -219,6 +227,7 @@ static nck_status_t convert(nck_decode_t *self, nck_number_t *word) {
 }
 
 nck_status_t nck_printer_extrude(nck_decode_t *self) {
+    if (!NCK_HAS_FOREIGN) return NCK_OK;
     nck_words_t *const words = &self->words;
     const uint32_t e = NCK_LETTER('E'), u = NCK_LETTER('U');
     nck_number_t *const word = &words->number['U' - 'A'];

@@ -9,6 +9,7 @@
 enum { AXIS_U = 6 };
 
 int nck_lathe_speaks_fanuc(const nck_decode_t *self) {
+    if (!NCK_HAS_LATHE) return 0;
     return self->machine->kinematics == NCK_KINEMATICS_LATHE_XZ
            && self->machine->dialect.base == NCK_DIALECT_FANUC;
 }
@@ -19,6 +20,7 @@ static uint32_t system_of(const nck_decode_t *self) {
 }
 
 int64_t nck_lathe_code(const nck_decode_t *self, int64_t tenths) {
+    if (!NCK_HAS_LATHE) return tenths;
     // Of the codes that are not alike in all systems: what they are in B, and a pass of a thread as
     // RS274NGC has it. G34, which is unsupported, stands for what a system has not.
     static const struct {
@@ -44,6 +46,7 @@ int64_t nck_lathe_code(const nck_decode_t *self, int64_t tenths) {
 }
 
 int nck_lathe_is_a(const nck_decode_t *self) {
+    if (!NCK_HAS_LATHE) return 0;
     return self->lathe && system_of(self) == NCK_SYSTEM_A;
 }
 
@@ -85,6 +88,7 @@ static nck_status_t take_step(nck_decode_t *self, unsigned axis, int letter) {
 }
 
 nck_status_t nck_lathe_steps(nck_decode_t *self, uint32_t strangers) {
+    if (!NCK_HAS_LATHE) return NCK_EMPTY;
     nck_status_t status = NCK_OK;
     if (!nck_lathe_is_a(self) && self->held.contour.called == 0) return NCK_EMPTY;
     for (int letter = 'A'; letter <= 'Z'; letter++) {
