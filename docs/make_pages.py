@@ -13,7 +13,7 @@ import typing
 from decimal import Decimal
 from pathlib import Path
 
-from pycnc.machine import control, schema
+from pycnc.machine import control, inputs, schema
 from pycnc.program import diagnostics
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -68,6 +68,8 @@ TABLES = (
     ("[times]", schema.Times),
     ("[dialect]", schema.Dialect),
     ("[approach]", schema.Approach),
+    ("[inputs]", inputs.Inputs),
+    ("[inputs.x], y, z, a, b, c, u, v, w", inputs.AxisSwitch),
     ("[start]", schema.Start),
     ("[work]", schema.Work),
     ("[home.g28], [home.g30], [home.g30_p3], [home.g30_p4], [work.g54] …", schema.Position),

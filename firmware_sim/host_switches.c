@@ -23,13 +23,23 @@ void host_switches_init(host_switches_t *self, const nck_t *nck) {
     }
 }
 
+// An axis is where a switch is closed, at its place or beyond.
+static int is_beyond(int64_t at_nm, int64_t place_nm, int below) {
+    return below ? at_nm <= place_nm : at_nm >= place_nm;
+}
+
 static uint32_t closed_now(const host_switches_t *self) {
     uint32_t closed = self->pushed;
     for (uint32_t x = 0; x < NCK_AXIS_MAX; x++) {
-        const int64_t beyond = self->real_nm[x] - self->place_nm[x];
-        const int is_closed = (self->least >> x & 1u) ? beyond <= 0 : beyond >= 0;
-        if ((self->wired >> x & 1u) == 0 || !is_closed) continue;
-        closed |= 1u << (HAL_IN_LIMIT + x) | 1u << (HAL_IN_HOME + x);
+        const int back = (self->least >> x & 1u) != 0;
+        const uint32_t limit = 1u << (HAL_IN_LIMIT + x);
+        const uint32_t home = 1u << (HAL_IN_HOME + x);
+        const int is_home = is_beyond(self->real_nm[x], self->place_nm[x], back);
+        const int is_far = is_beyond(self->real_nm[x], self->far_nm[x], !back);
+        if ((self->wired >> x & 1u) != 0 && is_home) {
+            closed |= (self->homes_only >> x & 1u) ? home : home | limit;
+        }
+        if ((self->far >> x & 1u) != 0 && is_far) closed |= limit;
     }
     if (self->real_nm[NCK_AXIS_Z] <= self->plate_nm) closed |= 1u << HAL_IN_PROBE;
     return closed;

@@ -10,8 +10,11 @@
 // All of it. Change what differs behind host_switches_init.
 typedef struct host_switches {
     uint32_t wired;              // bit k: axis k has a switch, for home and limit
+    uint32_t homes_only;         // bit k: … for home alone
+    uint32_t far;                // bit k: axis k has a limit switch at its other end
     uint32_t least;              // bit k: it closes below its place, else above
     int64_t place_nm[NCK_AXIS_MAX]; // of the switch, of the real axis
+    int64_t far_nm[NCK_AXIS_MAX];   // of the one at the other end
     int64_t plate_nm;            // the probe touches at this Z and below
     uint32_t bounce;             // ticks for which a switch that changes reads at random
     uint32_t broken;             // inputs whose wire is broken

@@ -12,6 +12,7 @@ class Session:
     Parameters
     ----------
     machine : Machine
+        With the switches of its file's [inputs].
     steps : int
         Steps of preparation between two ticks, 1 at least.
 
@@ -38,6 +39,11 @@ class Session:
         self._nck, self._host = ffi.new("nck_t *"), ffi.new("host_serve_t *")
         self._out = ffi.new("char[]", lib.HOST_OUT)
         check(lib.host_serve_init(self._host, self._nck, machine.pointer))
+        if machine.switches is not None:
+            inputs, wires, pushed = machine.switches
+            self.connect(inputs, **wires)
+            for name, is_pushed in pushed.items():
+                self.push(name, is_pushed)
 
     def connect(self, inputs=None, **switches):
         """Give the machine switches: what of them is set, and where the real axes are.
@@ -61,6 +67,12 @@ class Session:
             getattr(self._host.switches, name)[0 : len(value)] = value
         else:
             setattr(self._host.switches, name, value)
+
+    def push(self, name, is_pushed):
+        """Open or close the ``door``, push or pull out the ``emergency`` stop."""
+        bit = 1 << {"door": lib.HAL_IN_DOOR, "emergency": lib.HAL_IN_EMERGENCY}[name]
+        pushed = self._host.switches.pushed & ~bit
+        self._host.switches.pushed = pushed | bit if is_pushed else pushed
 
     @property
     def real_nm(self):

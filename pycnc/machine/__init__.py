@@ -17,6 +17,7 @@ from pycnc import errors, files
 from pycnc.machine import control as controls
 from pycnc.machine import foreign, schema, tool_table
 from pycnc.kernel.bind import ffi, lib, pointer
+from pycnc.machine.inputs import switches_of
 from pycnc.machine.rows import base_number, rows_of
 from pycnc.machine.schema import AXES, MachineFile, position_key, unit_of
 from pycnc.names import DEFAULT  # noqa: F401
@@ -170,6 +171,11 @@ class Machine:
     def pointer(self):
         """``nck_machine_t *`` for calls into the kernel; it lives as long as the machine."""
         return pointer("nck_machine_t", self._rows)
+
+    @property
+    def switches(self):
+        """Members of ``inputs_set_t`` and ``host_switches_t``, and what is pushed; None: none."""
+        return switches_of(self.settings)
 
     @property
     def sha256(self):
@@ -454,5 +460,5 @@ def _walk(table, prefix=""):
     for name, value in items:
         if isinstance(value, schema.Table | dict):
             yield from _walk(value, f"{prefix}{name}.")
-        elif not prefix.startswith("axis.") or prefix.count(".") > 1:
+        elif prefix not in ("axis.", "inputs.") or name not in AXES:
             yield f"{prefix}{name}", value

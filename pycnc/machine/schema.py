@@ -10,6 +10,7 @@ from typing import Annotated, Literal, get_args
 from pydantic import Field, model_validator
 
 from pycnc.machine.control import Control, contradictions as _control_contradictions
+from pycnc.machine.inputs import Inputs, contradictions as _input_contradictions
 from pycnc.machine.own import OwnG, OwnM, code_problems
 from pycnc.machine.quantity import (
     Acceleration,
@@ -372,6 +373,7 @@ class MachineFile(Table):
     approach: Approach = Field(
         Approach(), description="The way to where a program begins in the middle (`--from-line`)."
     )
+    inputs: Inputs | None = Field(None, description="Switches of the machine that is served.")
     start: Start = Field(Start(), description="Where the machine stands when a program starts.")
     home: Home = Field(Home(), description="Reference points.")
     work: Work = Field(Work(), description="Work offsets.")
@@ -415,6 +417,7 @@ def contradictions(machine):
             f"lathe_xz needs the axes X and Z alone (the file has {', '.join(axes).upper()})",
         )
     yield from _control_contradictions(machine.control, axes)
+    yield from _input_contradictions(machine.inputs, axes)
     yield from _approach_contradictions(machine.approach, machine.kinematics, axes)
     yield from code_problems(machine)
     for number in machine.tool:

@@ -12,6 +12,8 @@ import sys
 from pathlib import Path
 
 import pytest
+
+from pycnc.machine import Machine
 from cases import FAMILIES, ROOT
 from command_line import pycnc
 from pydantic import TypeAdapter
@@ -62,8 +64,10 @@ def test_the_commands_of_the_five_minutes_work(workshop):
         result = pycnc(*words[1:])
         assert (result.code, "error[" in result.err) == (0, False), f"{line}: {result.err}"
     assert Path("part.html").stat().st_size > 500_000
-    times, approach = blocks("my_machine.md", "toml")
+    times, approach, inputs = blocks("my_machine.md", "toml")
     assert approach.startswith("[approach]")
+    text = Path("mymill.toml").read_text(encoding="utf-8")
+    assert Machine.from_text(f"{text}\n{inputs}").switches is not None
     settings = [f"times.{line.replace(' ', '')}" for line in times.splitlines()[1:]]
     set_them = [word for each in settings for word in ("--set", each)]
     assert "tool change 16.00 s" in pycnc("time", "part.ngc", *set_them).out
