@@ -35,6 +35,18 @@ nck_status_t host_serve_init(host_serve_t *self, nck_t *nck, const nck_machine_t
 
 void host_serve_connect(host_serve_t *self) { serve_switches(&self->serve, &self->inputs); }
 
+nck_status_t host_serve_restore(host_serve_t *self, const nck_modal_t *modal, int moved) {
+    static const char told[] = "[MSG:Power has failed: '$H'|'$X' to unlock]\r\n";
+    nck_status_t status = nck_modal_set(self->nck, modal);
+    if (status == NCK_OK) status = nck_set_position(self->nck, modal->position_nm);
+    if (status != NCK_OK) return status;
+    memcpy(self->switches.real_nm, modal->position_nm, sizeof self->switches.real_nm);
+    if (!moved) return NCK_OK;
+    self->serve.locked = SERVE_NOT_HOMED;
+    write_out(self, told, sizeof told - 1);
+    return NCK_OK;
+}
+
 // What waits outside goes in.
 static void let_in(host_serve_t *self) {
     size_t used = 0;

@@ -42,6 +42,12 @@ nck_status_t host_serve_init(host_serve_t *self, nck_t *nck, const nck_machine_t
 // The machine has switches: inputs.set and switches as the caller has set them. Cost: constant.
 void host_serve_connect(host_serve_t *self);
 
+// What a record has kept: offsets and tools, and the place of modal->position_nm, which the next
+// tick gives. moved: the axes did then, so that it is a guess, and the machine is locked. Right
+// behind host_serve_init and host_serve_connect. Returns as nck_modal_set and nck_set_position.
+// Cost: constant.
+nck_status_t host_serve_restore(host_serve_t *self, const nck_modal_t *modal, int moved);
+
 // Bytes arrive. Those that find no room in the ring wait outside, but for real-time ones. Returns
 // how many were taken: fewer than n where too many wait. Cost: linear in them.
 size_t host_serve_receive(host_serve_t *self, const char *bytes, size_t n);

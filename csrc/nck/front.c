@@ -217,6 +217,52 @@ nck_status_t nck_set_position(nck_t *nck, const int64_t *position_nm) {
     return NCK_OK;
 }
 
+static int are_places(const nck_machine_t *machine, const int64_t *at_nm, uint32_t rows,
+                      int columns) {
+    for (uint32_t row = 0; row < rows; row++) {
+        for (int x = 0; x < columns; x++) {
+            if (!is_place(machine, x, at_nm[row * NCK_AXIS_MAX + (uint32_t)x])) return 0;
+        }
+    }
+    return 1;
+}
+
+nck_status_t nck_modal_set(nck_t *nck, const nck_modal_t *modal) {
+    const nck_machine_t *const machine = &nck->machine;
+    const nck_offsets_t offsets = {modal->systems_nm[0], modal->home_nm[0], modal->g92_nm,
+                                   modal->tool_nm, modal->work_system, modal->tool_next,
+                                   modal->tool_in};
+    const int good = are_places(machine, offsets.systems_nm, NCK_WORK_SYSTEMS, NCK_AXIS_MAX)
+                     && are_places(machine, offsets.home_nm, 2, NCK_AXIS_MAX)
+                     && are_places(machine, offsets.g92_nm, 1, NCK_AXIS_MAX)
+                     && are_places(machine, offsets.tool_nm, 1, 3);
+    if (!good) return NCK_E_ARGUMENT;
+    return is_all_done(nck) ? nck_decode_set_offsets(&nck->decode, &offsets) : NCK_E_STATE;
+}
+
+nck_status_t nck_tool_of(const nck_t *nck, uint32_t number, nck_tool_t *tool_out) {
+    return nck_decode_tool_of(&nck->decode, number, tool_out) ? NCK_OK : NCK_E_TOOL_UNKNOWN;
+}
+
+nck_status_t nck_tool_set(nck_t *nck, const nck_tool_t *tool) {
+    nck_machine_t *const machine = &nck->machine;
+    uint32_t row = 0;
+    while (row < machine->tool_count && machine->tool[row].number != tool->number) row++;
+    const int fits = row < NCK_TOOL_MAX && tool->number != 0;
+    if (!fits || !nck_machine_takes_tool(machine, tool)) return NCK_E_ARGUMENT;
+    if (!is_all_done(nck)) return NCK_E_STATE;
+    machine->tool[row] = *tool;
+    if (row == machine->tool_count) machine->tool_count++;
+    nck_decode_forget_tool(&nck->decode, tool->number);
+    return NCK_OK;
+}
+
+nck_status_t nck_heed_travel(nck_t *nck, uint32_t on) {
+    if (!is_all_done(nck)) return NCK_E_STATE;
+    nck->machine.roams = on == 0;
+    return NCK_OK;
+}
+
 uint32_t nck_places(const nck_t *nck) { return nck->interpolate.told >> 1; }
 
 // ---- what has stopped

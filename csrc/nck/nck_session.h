@@ -61,6 +61,29 @@ void nck_name_line(nck_t *nck, uint32_t name);
 // the tick may go on running.
 nck_status_t nck_set_position(nck_t *nck, const int64_t *position_nm);
 
+// Take over all offsets and tools of a modal state, as nck_modal has told it: G54 … G59.3 and which
+// of them is in force, G92, G28, G30, the tool length, T and the tool in the spindle. Its other
+// members count for nothing: modes are set by words, the place by nck_set_position. How a work
+// system is turned (G10 L2 R) stays. Returns NCK_OK; NCK_E_ARGUMENT if a number is out of range;
+// NCK_E_TOOL_UNKNOWN; NCK_E_STATE as nck_set_position. Cost: constant. Context: prep; the tick may
+// go on running.
+nck_status_t nck_modal_set(nck_t *nck, const nck_modal_t *modal);
+
+// A tool of the table, with what G10 has changed in it. Returns NCK_OK, or NCK_E_TOOL_UNKNOWN.
+// Cost: linear in tools and parameters. Context: prep.
+nck_status_t nck_tool_of(const nck_t *nck, uint32_t number, nck_tool_t *tool_out);
+
+// Put a tool into the table, in place of the one with its number. A tool length in force stays as
+// it is, as behind G10 L1. Returns NCK_OK; NCK_E_ARGUMENT if a number is out of range, 0 is the
+// tool's or the table is full; NCK_E_STATE as nck_set_position. Cost: linear in tools and
+// parameters. Context: prep; the tick may go on running.
+nck_status_t nck_tool_set(nck_t *nck, const nck_tool_t *tool);
+
+// From now on lines are held against the travel (1), as behind nck_init, and refused before
+// anything of them moves; or (0) they are not. Returns NCK_OK; NCK_E_STATE as nck_set_position.
+// Cost: constant. Context: prep.
+nck_status_t nck_heed_travel(nck_t *nck, uint32_t on);
+
 // How often nck_set_position has been heard, nck_init counted. Where it is another number behind a
 // tick, that tick's setpoint is where the drives stand, and no way for them to go.
 // Cost: constant. Context: tick.

@@ -220,6 +220,6 @@ void serve_switches(serve_t *self, inputs_t *inputs) {
     self->beside = beside;
     inputs_watch(inputs, 0, 0);
     if (!inputs->set.homes) return;
-    self->locked = ALARM_EMERGENCY + 1; // none of them: not homed yet
+    self->locked = SERVE_NOT_HOMED;
     serve_say(self, "[MSG:'$H'|'$X' to unlock]\r\n");
 }

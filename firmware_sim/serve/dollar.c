@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lines that begin with $: settings, and what a sender asks for.
-#include <string.h> // memcmp strlen
+#include <string.h> // memcmp memset strlen
 
 #include "serve/parts.h"
 
@@ -38,7 +38,7 @@ static void say_axes(serve_t *self, uint32_t kind) {
 static uint8_t say_settings(serve_t *self) {
     serve_say_setting(self, MASK, self->mask, 0);
     serve_say_setting(self, INCHES, self->inches, 0);
-    serve_say_setting(self, SOFT_LIMITS, 1, 0);
+    serve_say_setting(self, SOFT_LIMITS, !nck_machine_of(self->nck)->roams, 0);
     if (!serve_beside(self, SERVE_AT_LIST, 0.0)) serve_say_setting(self, HOMING, 0, 0);
     for (uint32_t kind = RATE; kind <= TRAVEL; kind += KIND) say_axes(self, kind);
     return 0;
@@ -74,6 +74,7 @@ static uint8_t set(serve_t *self) {
     switch (name.whole) {
     case INCHES: self->inches = value.whole != 0; return 0;
     case MASK: self->mask = (uint8_t)value.whole & MASK_MOST; return 0;
+    case SOFT_LIMITS: return nck_heed_travel(self->nck, value.whole) ? SERVE_E_BUSY : 0;
     default: break;
     }
     const double number = value.whole + value.thousandths / 1e3;
@@ -112,6 +113,17 @@ static uint8_t restore(serve_t *self) {
     return 0;
 }
 
+// Offsets are none, and the places of G28 and G30 the machine's zero.
+static uint8_t erase(serve_t *self) {
+    nck_modal_t modal;
+    nck_modal(self->nck, &modal);
+    memset(modal.systems_nm, 0, sizeof modal.systems_nm);
+    memset(modal.home_nm, 0, sizeof modal.home_nm);
+    memset(modal.g92_nm, 0, sizeof modal.g92_nm);
+    if (nck_modal_set(self->nck, &modal) != NCK_OK) return SERVE_E_BUSY;
+    return restore(self);
+}
+
 static uint8_t say_build(serve_t *self) {
     serve_say_code(self, "[VER:1.1f.nck:]\r\n[OPT:VNM,", NCK_SEG_MAX);
     serve_say_code(self, ",", SERVE_RING - 1);
@@ -144,7 +156,8 @@ uint8_t serve_command(serve_t *self) {
     static const command_t commands[] = {
         {"", 0, help}, {"G", 0, serve_say_modes}, {"C", 0, check}, {"X", 0, unlock},
         {"$", 1, say_settings}, {"#", 1, serve_say_offsets}, {"I", 1, say_build},
-        {"N", 1, say_lines}, {"H", 1, home}, {"SLP", 1, sleep}, {"RST=$", 1, restore}
+        {"N", 1, say_lines}, {"H", 1, home}, {"SLP", 1, sleep}, {"RST=$", 1, restore},
+        {"RST=#", 1, erase}
     };
     const char *const name = self->text + 1;
     const int busy = !serve_is_idle(self) || self->held;

@@ -17,7 +17,8 @@
 enum {
     SERVE_RING = 128,      // bytes that were received; a power of two
     SERVE_SIGNALS = 16,    // real-time bytes that wait; a power of two
-    SERVE_LINE_MAX = 80    // bytes of a line, blanks and comments left out
+    SERVE_LINE_MAX = 80,   // bytes of a line, blanks and comments left out
+    SERVE_NOT_HOMED = 11   // serve_t.locked, above grbl's alarms
 };
 
 // Where the answers go. write: all bytes, before it comes back. Context: that of serve_step.

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The verb ``serve``: a machine for programs that speak grbl's protocol."""
 
+import signal
 import sys
 from typing import Annotated
 
@@ -26,6 +27,8 @@ def serve(
     )] = "127.0.0.1",
     time_scale: Annotated[float, typer.Option(
         min=0.01, max=1000.0, help="Seconds of the machine in one of the clock.")] = 1.0,
+    save: Annotated[bool, typer.Option(
+        "--save", help="Keep changed settings and offsets in the machine file.")] = False,
     dialect: DialectName = None, slope: SlopeName = None, set: Set = None, tools: Tools = None,
     quiet: Quiet = False,
 ):  # fmt: skip
@@ -38,11 +41,28 @@ def serve(
     mill = machine_of(machine, set, tools, dialect or Dialect.grbl, slope=slope, quiet=quiet)
     line = serving.Tcp(_PORT if tcp is None else tcp, listen) if pty is None else serving.Pty(pty)
     try:
+        server = serving.Server(mill, line, time_scale, save)
         if not quiet:
             print(f"{mill.name} at {line.name}; Ctrl-C ends it", file=sys.stderr, flush=True)
-        serving.Server(mill, line, time_scale).serve()
-    except KeyboardInterrupt:
-        return GOOD
+        _serve(server, quiet)
     finally:
         line.close()
     return GOOD
+
+
+def _serve(server, quiet):
+    """Serve until Ctrl-C or a signal, telling what is kept."""
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        while True:
+            server.step()
+            _tell(server.keeper, quiet)
+    except KeyboardInterrupt:
+        server.keeper.end()
+        _tell(server.keeper, quiet)
+
+
+def _tell(keeper, quiet):
+    for note in keeper.notes if not quiet else ():
+        print(note, file=sys.stderr, flush=True)
+    keeper.notes.clear()

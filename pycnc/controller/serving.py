@@ -9,6 +9,7 @@ import time
 from pathlib import Path
 
 from pycnc import errors
+from pycnc.controller.keeping import Keeper
 from pycnc.kernel.session import Session
 
 PASS_S = 0.002  # between two looks at the clock
@@ -163,10 +164,13 @@ class Server:
     line : Tcp or Pty
     scale : float
         Seconds of the machine in one of the wall clock.
+    saves : bool
+        What is changed is kept in the machine's file.
     """
 
-    def __init__(self, machine, line, scale=1.0):
+    def __init__(self, machine, line, scale=1.0, saves=False):
         self.session, self._line, self._scale = Session(machine), line, scale
+        self.keeper = Keeper(self.session, machine, saves)
         self._period_s = machine.period_s
         self._waiting, self._said = b"", b""
         self._time, self._owed = time.monotonic(), 0.0
@@ -185,6 +189,7 @@ class Server:
         self._hear()
         self.session.run(self._due())
         self._speak()
+        self.keeper.look()
 
     def _hear(self):
         data = self._line.read(BACKLOG - len(self._waiting))

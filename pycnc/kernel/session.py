@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """A machine that speaks grbl's protocol, in virtual time: bytes in, bytes out."""
 
+from pycnc.kernel import kept
 from pycnc.kernel.bind import check, ffi, lib
 
 STEPS = 64  # of preparation between two ticks, at most
@@ -99,6 +100,32 @@ class Session:
     def part(self):
         """The connection is gone: the machine comes to rest and is held."""
         lib.host_serve_part(self._host)
+
+    def settings(self):
+        """Return path to key of a machine file → value, of all that can be changed."""
+        has_inputs = self._machine.switches is not None
+        return kept.settings(self._nck, self._host.inputs.set, has_inputs)
+
+    def record(self):
+        """Return where the machine stands, and what else a power failure must not lose."""
+        return kept.record(self._nck, self._host)
+
+    def restore(self, record):
+        """Go on from a record, before anything else; return what it was, in words.
+
+        Raises
+        ------
+        KeyError, TypeError, ValueError, ArgumentError
+            It is none.
+        """
+        words = kept.restore(self._nck, self._host, record)
+        self.run(2)
+        return words
+
+    @property
+    def rests(self):
+        """Tell whether nothing is under way, so that settings are what they will stay."""
+        return bool(lib.nck_is_idle(self._nck)) and self._host.serve.phase == lib.SERVE_READS
 
     @property
     def waiting(self):

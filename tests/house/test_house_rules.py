@@ -49,8 +49,8 @@ PYTHON_ROOMS = (
 )  # fmt: skip
 # Who calls the kernel; everybody else may read its constants.
 WRAPPERS = (
-    "kernel/__init__", "kernel/batches", "kernel/bind", "kernel/records", "kernel/session",
-    "machine/__init__",
+    "kernel/__init__", "kernel/batches", "kernel/bind", "kernel/kept", "kernel/records",
+    "kernel/session", "machine/__init__",
     "planning/control", "planning/grades", "planning/parallel", "planning/sshape",
     "planning/whole", "stages", "report/path_error", "bench/timing",
 )  # fmt: skip

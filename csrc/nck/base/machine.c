@@ -171,18 +171,22 @@ static int dialect_numbers_good(const nck_machine_t *machine) {
            && !(machine->dialect.skip_switches & 1u);
 }
 
-static int tools_good(const nck_machine_t *machine) {
-    if (machine->tool_count > NCK_TOOL_MAX) return 0;
-    for (uint32_t k = 0; k < machine->tool_count; k++) {
-        const nck_tool_t *const tool = &machine->tool[k];
-        const double wear = tool->wear_mm < 0.0 ? -tool->wear_mm : tool->wear_mm;
-        if (tool->orientation > 9 || !good(NCK_QUANTITY_SIZE, tool->radius_mm)) return 0;
-        if (!good(NCK_QUANTITY_SIZE, wear)) return 0;
-        for (unsigned axis = 0; axis < 3; axis++) {
-            if (!place_good(&machine->axis[axis], tool->offset_nm[axis])) return 0;
-        }
+int nck_machine_takes_tool(const nck_machine_t *machine, const nck_tool_t *tool) {
+    const double wear = tool->wear_mm < 0.0 ? -tool->wear_mm : tool->wear_mm;
+    if (tool->orientation > 9 || !good(NCK_QUANTITY_SIZE, tool->radius_mm)) return 0;
+    if (!good(NCK_QUANTITY_SIZE, wear)) return 0;
+    for (unsigned axis = 0; axis < 3; axis++) {
+        if (!place_good(&machine->axis[axis], tool->offset_nm[axis])) return 0;
     }
     return 1;
+}
+
+static int tools_good(const nck_machine_t *machine) {
+    int all = machine->tool_count <= NCK_TOOL_MAX;
+    for (uint32_t k = 0; all && k < machine->tool_count; k++) {
+        all = nck_machine_takes_tool(machine, &machine->tool[k]);
+    }
+    return all;
 }
 
 static int own_good(const nck_machine_t *machine) {
@@ -221,7 +225,7 @@ static int further_good(const nck_machine_t *machine) {
 
 static int tables_good(const nck_machine_t *machine) {
     return tools_good(machine) && own_good(machine) && further_good(machine)
-           && machine->home_more >> (NCK_HOMES - 2) == 0;
+           && machine->home_more >> (NCK_HOMES - 2) == 0 && machine->roams <= 1;
 }
 
 nck_status_t nck_machine_check(const nck_machine_t *machine) {

@@ -225,6 +225,7 @@ typedef struct nck_machine {
     uint32_t work_system;                         // in force at start, 0 = G54
     uint32_t tool_count;
     nck_tool_t tool[NCK_TOOL_MAX];
+    uint32_t roams;                               // 1: nothing is held against the travel
     uint32_t home_more;                           // bit 0: home_nm has one of P3, bit 1: of P4
     uint32_t own_m_count;
     nck_own_m_t own_m[NCK_OWN_M_MAX];
@@ -237,6 +238,7 @@ typedef struct nck_machine {
 // For the linker these names have capacities and version in them (sized.h).
 #define nck_machine_default NCK_SIZED(nck_machine_default)
 #define nck_machine_check NCK_SIZED(nck_machine_check)
+#define nck_machine_takes_tool NCK_SIZED(nck_machine_takes_tool)
 
 // Fill in a machine that is safe and complete: three axes X Y Z of 100 mm/s, 1000 mm/s², 10 000
 // mm/s³ and free travel, T = 1 ms, tolerance 0.01 mm, a way in of
@@ -268,6 +270,9 @@ void nck_machine_range(uint32_t quantity, nck_range_t *range_out);
 // and infinity included; travel may be free); NCK_E_UNSUPPORTED if all are good and the slope is
 // left out of the build (limits.h). Cost: constant. Context: any.
 nck_status_t nck_machine_check(const nck_machine_t *machine);
+
+// 1 if a tool's numbers are within their ranges. Cost: constant. Context: any.
+int nck_machine_takes_tool(const nck_machine_t *machine, const nck_tool_t *tool);
 
 #ifdef __cplusplus
 }

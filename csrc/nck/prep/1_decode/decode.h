@@ -87,6 +87,18 @@ nck_status_t nck_decode_leave_nothing(nck_decode_t *self);
 // Context: prep.
 nck_status_t nck_decode_probed(nck_decode_t *self, const int64_t *at_nm);
 
+// Offsets, and the tools of T and M6. Returns NCK_OK; NCK_E_ARGUMENT where there is no such work
+// system, NCK_E_TOOL_UNKNOWN where there is no such tool. Cost: constant. Context: prep, between
+// two lines.
+nck_status_t nck_decode_set_offsets(nck_decode_t *self, const nck_offsets_t *offsets);
+
+// A tool with what G10 has changed in it; returns 0: there is none of that number. Cost of both:
+// linear in tools and parameters. Context: prep.
+int nck_decode_tool_of(const nck_decode_t *self, uint32_t number, nck_tool_t *tool_out);
+
+// What G10 has changed in a tool counts no more: the machine's table has another. Context: prep.
+void nck_decode_forget_tool(nck_decode_t *self, uint32_t number);
+
 // What blocks and findings call the next line, in place of its number; the one behind it is one
 // more. Cost: constant. Context: prep.
 void nck_decode_name_line(nck_decode_t *self, uint32_t name);

@@ -5,6 +5,7 @@
 #include "nck/prep/1_decode/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_spline_break
 #include "nck/prep/1_decode/macro/macro.h" // nck_parameter_set_probe
+#include "nck/prep/1_decode/place/place.h" // nck_decode_origin nck_table_find …
 
 #include <string.h> // memcpy memset
 
@@ -37,6 +38,34 @@ nck_status_t nck_decode_probed(nck_decode_t *self, const int64_t *at_nm) {
     const nck_status_t status = nck_parameter_set_probe(self, at_nm != NULL);
     memcpy(self->place.position_nm, stands_nm, sizeof stands_nm);
     return status;
+}
+
+nck_status_t nck_decode_set_offsets(nck_decode_t *self, const nck_offsets_t *offsets) {
+    const int known = nck_tool_is_known(self, offsets->tool_next)
+                      && nck_tool_is_known(self, offsets->tool_in);
+    if (offsets->system >= NCK_WORK_SYSTEMS) return NCK_E_ARGUMENT;
+    if (!known) return NCK_E_TOOL_UNKNOWN;
+    memcpy(self->place.work_nm, offsets->systems_nm,
+           NCK_WORK_SYSTEMS * sizeof self->place.work_nm[0]);
+    memcpy(self->place.home_nm, offsets->home_nm, sizeof self->place.home_nm);
+    memcpy(self->place.g92_nm, offsets->g92_nm, sizeof self->place.g92_nm);
+    memcpy(self->place.g92_kept_nm, offsets->g92_nm, sizeof self->place.g92_kept_nm);
+    memcpy(self->place.tool_nm, offsets->tool_nm, sizeof self->place.tool_nm);
+    self->place.is_local = 0;
+    self->place.work_system = offsets->system;
+    self->modal.tool_next = offsets->tool_next;
+    self->modal.tool_in = offsets->tool_in;
+    self->text.quick = 0; // it goes by another origin
+    nck_decode_origin(self);
+    return NCK_OK;
+}
+
+int nck_decode_tool_of(const nck_decode_t *self, uint32_t number, nck_tool_t *tool_out) {
+    return nck_table_find(self, number, tool_out);
+}
+
+void nck_decode_forget_tool(nck_decode_t *self, uint32_t number) {
+    nck_table_forget(self, number);
 }
 
 void nck_decode_name_line(nck_decode_t *self, uint32_t name) { self->line.number = name - 1; }

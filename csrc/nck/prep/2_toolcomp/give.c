@@ -24,7 +24,8 @@ static nck_status_t check_place(nck_toolcomp_t *self, const nck_block_t *block, 
     const unsigned axis = self->axis[k];
     const nck_axis_t *const travel = &self->machine->axis[axis];
     const int64_t at_nm = place_nm + block->tool_nm[axis];
-    if (at_nm >= travel->min_nm && at_nm <= travel->max_nm) return NCK_OK;
+    const int roams = self->machine->roams != 0;
+    if (roams || (at_nm >= travel->min_nm && at_nm <= travel->max_nm)) return NCK_OK;
     const int64_t limit_nm = at_nm < travel->min_nm ? travel->min_nm : travel->max_nm;
     const nck_status_t status = nck_comp_fail(self, NCK_E_TRAVEL, block->line,
                                               (double)at_nm * 1e-6, (double)limit_nm * 1e-6);

@@ -25,10 +25,8 @@ void nck_turned_set(nck_decode_t *self, uint32_t system, double degrees);
 
 // ---- table.c
 
-// A tool with what G10 has changed; returns 0 if the table has none of that number. G10 with
-// another list than L2 and L20: NCK_E_UNSUPPORTED, NCK_E_TOOL_UNKNOWN, NCK_E_NUMBER_RANGE,
+// G10 with another list than L2 and L20: NCK_E_UNSUPPORTED, NCK_E_TOOL_UNKNOWN, NCK_E_NUMBER_RANGE,
 // NCK_E_WORD_UNUSED, NCK_E_WORD_MISSING, NCK_E_VARIABLES. Cost: linear in tools and parameters.
-int nck_table_find(const nck_decode_t *self, uint32_t number, nck_tool_t *tool_out);
 nck_status_t nck_table_set(nck_decode_t *self, int64_t list);
 
 // Does the language have this list of G10? NCK_E_UNSUPPORTED. Cost: constant.

@@ -29,6 +29,17 @@ uint32_t nck_layout_bit(int64_t tenths);
 int nck_layout_collides(uint32_t codes, uint32_t bit);
 nck_status_t nck_layout_refuses(nck_decode_t *self);
 
+// ---- table.c, tool.c
+
+// A tool with what G10 has changed; returns 0 if the table has none of that number; what G10 has
+// changed in it counts no more. Cost: linear in tools and parameters.
+int nck_table_find(const nck_decode_t *self, uint32_t number, nck_tool_t *tool_out);
+void nck_table_forget(nck_decode_t *self, uint32_t number);
+
+// 1 if T may name it: 0, one of the table, or any where the machine has no table. Cost: linear in
+// the tools.
+int nck_tool_is_known(const nck_decode_t *self, uint32_t number);
+
 // ---- turned.c
 
 // The origin from its parts, after a change of one. Cost: constant.

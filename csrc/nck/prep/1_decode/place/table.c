@@ -41,6 +41,19 @@ int nck_table_find(const nck_decode_t *self, uint32_t number, nck_tool_t *tool_o
     return 1;
 }
 
+// What is not changed any more is what the machine has: a row that is there takes its value.
+void nck_table_forget(nck_decode_t *self, uint32_t number) {
+    const nck_tool_t *const tool = nck_decode_find_tool(self, number);
+    if (!NCK_HAS_VARIABLES || tool == NULL) return;
+    const double fields[] = {(double)tool->offset_nm[0], (double)tool->offset_nm[1],
+                             (double)tool->offset_nm[2], tool->radius_mm,
+                             (double)tool->orientation, 0.0, tool->wear_mm};
+    for (unsigned field = FIELD_X; field <= FIELD_RADIUS_WEAR; field++) {
+        const uint64_t key = nck_variable_tool(number, field);
+        if (nck_variable_find(self, key)) (void)nck_variable_set(self, key, fields[field]);
+    }
+}
+
 // What a line changes counts once all of it is good.
 static nck_status_t keep(nck_decode_t *self, uint32_t number, unsigned field, double value) {
     return nck_variable_wait(self, nck_variable_tool(number, field), value);

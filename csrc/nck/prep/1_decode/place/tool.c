@@ -6,27 +6,27 @@
 
 #include <stddef.h> // NULL
 
+// A machine without a table does not say which tools it has.
+int nck_tool_is_known(const nck_decode_t *self, uint32_t number) {
+    return number == 0 || self->machine->tool_count == 0
+           || nck_decode_find_tool(self, number) != NULL;
+}
+
 nck_status_t nck_decode_set_tool(nck_decode_t *self, double value, nck_block_t *out) {
     const uint32_t number = (uint32_t)value;
-    // A machine without a table does not say which tools it has.
-    if (number > 0 && self->machine->tool_count > 0
-        && nck_decode_find_tool(self, number) == NULL) {
+    if (!nck_tool_is_known(self, number)) {
         return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'T', value, 0.0);
     }
     self->modal.tool_next = number;
     return nck_decode_give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_TOOL, value, out);
 }
 
-static int is_known(const nck_decode_t *self, uint32_t number) {
-    return number == 0 || self->machine->tool_count == 0
-           || nck_decode_find_tool(self, number) != NULL;
-}
-
 // The turret turns at T itself, and the program waits for it; offset 00 ends the one in force.
 static nck_status_t turn_turret(nck_decode_t *self, int64_t number, nck_block_t *out) {
     const uint32_t tool = (uint32_t)(number / NCK_LATHE_TOOLS);
     const uint32_t offset = (uint32_t)(number % NCK_LATHE_TOOLS);
-    const uint32_t unknown = !is_known(self, tool) ? tool : !is_known(self, offset) ? offset : 0;
+    const int known = nck_tool_is_known(self, tool);
+    const uint32_t unknown = !known ? tool : !nck_tool_is_known(self, offset) ? offset : 0;
     if (unknown != 0) {
         return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'T', (double)unknown, 0.0);
     }

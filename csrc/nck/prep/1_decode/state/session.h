@@ -7,7 +7,9 @@
 #ifndef NCK_PREP_DECODE_STATE_SESSION_H
 #define NCK_PREP_DECODE_STATE_SESSION_H
 
-#include <stdint.h> // uint8_t
+#include <stdint.h> // int64_t uint8_t
+
+#include "nck/base/limits.h" // NCK_AXIS_MAX
 
 // The room, room.h.
 struct nck_decode;
@@ -25,5 +27,15 @@ typedef struct nck_session {
     uint8_t phase;             // nck_session_phase_t
     uint8_t passes;            // 1: the next line leaves nothing in force
 } nck_session_t;
+
+// Offsets that come from outside of the text [nm, ndeg].
+typedef struct nck_offsets {
+    const int64_t *systems_nm; // G54 … G59.3, NCK_AXIS_MAX each
+    const int64_t *home_nm;    // G28, G30
+    const int64_t *g92_nm;
+    const int64_t *tool_nm;    // G43: X Y Z
+    uint32_t system;           // in force, 0: G54
+    uint32_t tool_next, tool_in;
+} nck_offsets_t;
 
 #endif

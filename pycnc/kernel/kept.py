@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: MIT
+"""What of a session outlives it: settings as a machine file has them, and where it stands."""
+
+from decimal import Decimal
+
+from pycnc.kernel.bind import check, ffi, lib
+
+LETTERS = "xyzabcuvw"  # the kernel's order
+_ROTARY = "abc"
+_SYSTEMS = ("g54", "g55", "g56", "g57", "g58", "g59", "g59_1", "g59_2", "g59_3")
+_NM = Decimal(1_000_000)
+
+
+def modal_of(nck):
+    """Return the kernel's modal state: ``nck_modal_t *``."""
+    modal = ffi.new("nck_modal_t *")
+    lib.nck_modal(nck, modal)
+    return modal
+
+
+def present(nck):
+    """Return (index, letter, unit) of every axis that the machine has."""
+    axes = lib.nck_machine_of(nck).axis
+    return [(k, at, "deg" if at in _ROTARY else "mm")
+            for k, at in enumerate(LETTERS[: lib.NCK_AXIS_MAX]) if axes[k].present]  # fmt: skip
+
+
+def _real(value):
+    return Decimal(f"{value:.9g}")
+
+
+def settings(nck, inputs, has_inputs):
+    """Return path to key of a machine file → Decimal, bool or str, of all that can be changed."""
+    machine, modal, found = lib.nck_machine_of(nck), modal_of(nck), {}
+    for k, at, unit in present(nck):
+        axis = machine.axis[k]
+        for name, value, power in (("v_max", axis.v_max, ""), ("rapid", axis.rapid, ""),
+                                   ("a_max", axis.a_max, "2")):  # fmt: skip
+            found[f"axis.{at}.{name}_{unit}_s{power}"] = _real(value)
+        places = [(f"work.{name}", modal.systems_nm[row]) for row, name in enumerate(_SYSTEMS)]
+        places += [(f"home.{name}", modal.home_nm[row]) for row, name in enumerate(("g28", "g30"))]
+        found |= {f"{table}.{at}_{unit}": place[k] / _NM for table, place in places}
+    if has_inputs:
+        found |= _inputs(inputs, machine.period_s)
+    return found
+
+
+def _inputs(inputs, period_s):
+    homed = [at for k, at in enumerate(LETTERS) if _is_homed(inputs.order, k)]
+    ends = {f"inputs.{at}.end": "least" if inputs.reverse >> LETTERS.index(at) & 1 else "most"
+            for at in homed}  # fmt: skip
+    return ends | {
+        "inputs.homing": inputs.homes != 0, "inputs.limits": inputs.limits != 0,
+        "inputs.seek_mm_min": _real(inputs.seek), "inputs.feed_mm_min": _real(inputs.feed),
+        "inputs.pull_off_mm": _real(inputs.pull_off),
+        "inputs.debounce_ms": _real(inputs.debounce * period_s * 1e3),
+    }  # fmt: skip
+
+
+def _is_homed(order, axis):
+    return any(order >> shift & 15 == axis + 1 for shift in range(0, 32, 4))
+
+
+def record(nck, host):
+    """Return what a power failure must not lose, as numbers and texts."""
+    modal = modal_of(nck)
+    at = {lib.nck_joint_axis(nck, k): host.axes.joint_nm[k]
+          for k in range(lib.nck_joint_count(nck))}  # fmt: skip
+    axes = [k for k, _, _ in present(nck)]
+    return {
+        "position_nm": {LETTERS[k]: at[k] for k in axes},
+        "g92_nm": {LETTERS[k]: modal.g92_nm[k] for k in axes},
+        "tool_nm": list(modal.tool_nm),
+        "work_system": _SYSTEMS[min(modal.work_system, len(_SYSTEMS) - 1)],
+        "tool_next": modal.tool_next, "tool_in": modal.tool_in,
+        "line": host.pose.line if host.serve.phase or not lib.nck_is_idle(nck) else 0,
+        "moves": not lib.nck_is_idle(nck),
+    }  # fmt: skip
+
+
+def restore(nck, host, said):
+    """Take a record over; return what it was, in words."""
+    modal = modal_of(nck)
+    modal.work_system = _SYSTEMS.index(said["work_system"])
+    modal.tool_next, modal.tool_in = said["tool_next"], said["tool_in"]
+    modal.tool_nm = said["tool_nm"]
+    for k, at, _ in present(nck):
+        modal.position_nm[k] = said["position_nm"][at]
+        modal.g92_nm[k] = said["g92_nm"][at]
+    line, moved = int(said["line"]), bool(said["moves"])
+    check(lib.host_serve_restore(host, modal, moved))
+    if not moved:
+        return "the axes stand where they stood"
+    return f"the power has failed in motion, in line {line}: the place of the axes is a guess"
