@@ -61,7 +61,7 @@ void serve_say_axes(serve_t *self, const char *before, const double *at, const i
 
 static const int64_t nowhere_nm[NCK_AXIS_MAX];
 
-static const char *state_of(const serve_t *self) {
+const char *serve_state(const serve_t *self) {
     const serve_seen_t *const seen = serve_seen(self);
     if (self->sleeps) return "Sleep";
     if (self->phase == SERVE_HOMES) return "Home";
@@ -129,7 +129,7 @@ void serve_forget(serve_t *self) { self->wco_in = self->ov_in = 0; }
 
 void serve_say_status(serve_t *self) {
     const serve_seen_t seen = *serve_seen(self); // ticks go on while the answer is written
-    const char *const state = state_of(self);
+    const char *const state = serve_state(self);
     nck_modal_t modal;
     nck_modal(self->nck, &modal);
     serve_say(self, "<");

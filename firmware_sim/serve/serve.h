@@ -175,6 +175,9 @@ void serve_tick(serve_t *self, const nck_pose_t *pose);
 // What the program switches is told; user is the serve_t. Cost: constant. Context: tick.
 void serve_output(void *user, const nck_output_t *output);
 
+// The state as a report tells it. Cost: constant. Context: prep.
+const char *serve_state(const serve_t *self);
+
 // Of the programmed speed the spindle has so much [%]. Cost: constant. Context: any.
 uint32_t serve_spindle(const serve_t *self);
 

@@ -29,6 +29,8 @@ def serve(
         min=0.01, max=1000.0, help="Seconds of the machine in one of the clock.")] = 1.0,
     save: Annotated[bool, typer.Option(
         "--save", help="Keep changed settings and offsets in the machine file.")] = False,
+    page: Annotated[int | None, typer.Option(
+        metavar="PORT", min=0, max=65535, help="A page that shows it, for a browser here.")] = None,
     dialect: DialectName = None, slope: SlopeName = None, set: Set = None, tools: Tools = None,
     quiet: Quiet = False,
 ):  # fmt: skip
@@ -41,9 +43,11 @@ def serve(
     mill = machine_of(machine, set, tools, dialect or Dialect.grbl, slope=slope, quiet=quiet)
     line = serving.Tcp(_PORT if tcp is None else tcp, listen) if pty is None else serving.Pty(pty)
     try:
-        server = serving.Server(mill, line, time_scale, save)
+        server = serving.Server(mill, line, time_scale, save, page)
         if not quiet:
             print(f"{mill.name} at {line.name}; Ctrl-C ends it", file=sys.stderr, flush=True)
+            if server.page:
+                print(f"page: {server.page.address}", file=sys.stderr, flush=True)
         _serve(server, quiet)
     finally:
         line.close()

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from pycnc import errors
 from pycnc.controller.keeping import Keeper
+from pycnc.controller.page import Page
 from pycnc.kernel.session import Session
 
 PASS_S = 0.002  # between two looks at the clock
@@ -166,11 +167,14 @@ class Server:
         Seconds of the machine in one of the wall clock.
     saves : bool
         What is changed is kept in the machine's file.
+    page : int, optional
+        Port of a page that shows the machine.
     """
 
-    def __init__(self, machine, line, scale=1.0, saves=False):
+    def __init__(self, machine, line, scale=1.0, saves=False, page=None):
         self.session, self._line, self._scale = Session(machine), line, scale
         self.keeper = Keeper(self.session, machine, saves)
+        self.page = None if page is None else Page(self.session, machine.name, page)
         self._period_s = machine.period_s
         self._waiting, self._said = b"", b""
         self._time, self._owed = time.monotonic(), 0.0
@@ -190,6 +194,8 @@ class Server:
         self.session.run(self._due())
         self._speak()
         self.keeper.look()
+        if self.page:
+            self.page.look()
 
     def _hear(self):
         data = self._line.read(BACKLOG - len(self._waiting))

@@ -92,3 +92,24 @@ def restore(nck, host, said):
     if not moved:
         return "the axes stand where they stood"
     return f"the power has failed in motion, in line {line}: the place of the axes is a guess"
+
+
+def shown(nck, host):
+    """Return what a person wants to see: the state, where the tool is, speeds, overrides."""
+    serve, modal = host.serve, modal_of(nck)
+    origin = [modal.origin_nm[k] / 1e6 for k in range(lib.NCK_AXIS_MAX)]
+    at, tick = list(host.pose.axis), serve.tick
+    pins = host.inputs.pins if serve.inputs else 0
+    bits = [(each + k, at.upper()) for k, at, _ in present(nck)
+            for each in (lib.HAL_IN_LIMIT, lib.HAL_IN_HOME)]  # fmt: skip
+    bits += [(lib.HAL_IN_PROBE, "probe"), (lib.HAL_IN_DOOR, "door"),
+             (lib.HAL_IN_EMERGENCY, "emergency")]  # fmt: skip
+    named = dict.fromkeys(word for bit, word in bits if pins >> bit & 1)
+    return {
+        "state": ffi.string(lib.serve_state(ffi.addressof(serve))).decode(),
+        "at": at[:3], "line": host.pose.line,
+        "axes": [[LETTERS[k].upper(), at[k], at[k] - origin[k]] for k, _, _ in present(nck)],
+        "speed": host.pose.v * 60 / host.pose.feed_scale, "rpm": tick.rpm if tick.turns else 0,
+        "feed": serve.feed, "rapid": serve.rapid, "spindle": serve.spindle,
+        "pins": " ".join(named),
+    }  # fmt: skip

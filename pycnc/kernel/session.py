@@ -122,6 +122,10 @@ class Session:
         self.run(2)
         return words
 
+    def shown(self):
+        """Return what a person wants to see of the machine: numbers and texts."""
+        return kept.shown(self._nck, self._host) | {"switches": self._machine.switches is not None}
+
     @property
     def rests(self):
         """Tell whether nothing is under way, so that settings are what they will stay."""

@@ -23,7 +23,8 @@ C_FILES = tracked("csrc/*.[ch]", "firmware_sim/*.[ch]", "adapters/*.[ch]", "test
 CL_FILES = tracked("opencl/*.cl", "opencl/*.h")
 PYTHON_FILES = tracked("*.py")
 OTHER_FILES = tracked("*.pyi", "*.cmake", "CMakeLists.txt", "Makefile", ".ci/run", "*.toml",
-                      "page/*.mjs", "page/src/*", "pycnc/report/page.html")
+                      "page/*.mjs", "page/src/*", "pycnc/report/page.html",
+                      "pycnc/controller/page.html")
 PAGES = tracked("*.md")
 SOURCES = C_FILES + CL_FILES + PYTHON_FILES + OTHER_FILES
 CORE = [name for name in C_FILES if name.startswith("csrc/nck/")]
