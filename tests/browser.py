@@ -80,9 +80,12 @@ def start(launcher, chromium, *flags):
 
 
 @contextlib.contextmanager
-def opened(browser, file, fragment="", scheme="light", size=SIZE):
-    """Open a file in a browser, in a profile of its own."""
-    with browser.new_context(offline=True, viewport=size, color_scheme=scheme) as context:
+def opened(browser, file, fragment="", scheme="light", size=SIZE, before="", **words):
+    """Open a file in a browser, in a profile of its own; before: a script that runs first."""
+    with browser.new_context(
+        offline=True, viewport=size, color_scheme=scheme, **words
+    ) as context:
+        context.add_init_script(before)
         visit = Visit(context.new_page(), file)
         visit.load(fragment)
         yield visit

@@ -173,13 +173,15 @@ export function makeCurves(holder, facts, model, ask) {
     const { key, unit, colour } = curve;
     const isLast = k === curves.length - 1;
     const box = element("div", "curve");
+    const height = HEIGHTS[key] + (isLast ? 26 : 0);
+    box.style.height = `${height}px`; // before uPlot, which is late: the view has its size at once
     box.append(element("span", "unit", unit ?? unitOf(key)));
     holder.append(box);
     const line = (width, alpha) => ({
       stroke: `rgba(${colour},${alpha})`, width, points: { show: false },
     });
     const options = {
-      width: holder.clientWidth, height: HEIGHTS[key] + (isLast ? 26 : 0),
+      width: holder.clientWidth, height,
       padding: [key === "v" ? BAND + 8 : 6, 14, isLast ? 0 : 4, 0],
       legend: { show: false },
       cursor: {

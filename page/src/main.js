@@ -202,6 +202,7 @@ function start({ facts, model, text }) {
   });
   player(state, model, setNow, timeOf);
   setNow({ i: 1, f: 0 });
+  scene.draw();
   return { facts, model, scene, found, ask, state, timeOf, speedOf, wordsOf, listing, curves };
 }
 
@@ -280,8 +281,11 @@ async function main() {
     by("note").textContent = "This browser is too old for this page: it needs DecompressionStream.";
     return;
   }
-  window.report = start(await load());
-  document.body.dataset.ready = window.report.scene.kind;
+  const { scene } = window.report = start(await load());
+  requestAnimationFrame(() => setTimeout(() => {
+    scene.quicken();
+    document.body.dataset.ready = scene.kind();
+  }));
 }
 
 main();

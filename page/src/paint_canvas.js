@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws pieces of path on a 2-D canvas, where there is no WebGL.
+// Draws pieces of path on a 2-D canvas: the first picture, and all where there is no WebGL.
 
 const STEPS = 24; // levels of each colour: pieces of one colour are one stroke
 
@@ -27,6 +27,7 @@ export function makeCanvas(holder, background) {
 
   return {
     kind: "canvas",
+    remove: () => canvas.remove(),
     resize(width, height) {
       const ratio = window.devicePixelRatio;
       canvas.width = Math.round(width * ratio);

@@ -60,5 +60,11 @@ export function makeGl(holder, background) {
     draw(camera) {
       renderer.render(scene, camera);
     },
+    // Waits till what was asked for is drawn.
+    finish() {
+      const gl = renderer.getContext();
+      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+      if (gl.isContextLost()) throw new Error("WebGL is lost");
+    },
   };
 }

@@ -43,7 +43,7 @@ export function makeScene(holder, facts, model) {
   const camera = new OrthographicCamera(-1, 1, 1, -1, -20 * extent, 20 * extent);
   camera.up.set(...(facts.lathe ? [1, 0, 0] : [0, 0, 1]));
   const matrix = new Matrix4();
-  const paint = open();
+  let paint = makeCanvas(holder, BACKGROUND);
   const over = holder.querySelector("canvas#over");
   const controls = new OrbitControls(camera, over);
   controls.zoomToCursor = true;
@@ -60,13 +60,20 @@ export function makeScene(holder, facts, model) {
   let stale = true;
   let due = 0;
 
-  function open() {
-    if (location.hash !== "#canvas") {
-      try {
-        return makeGl(holder, BACKGROUND);
-      } catch { /* there is no WebGL here */ }
+  // The first picture is the canvas's, which needs nobody. WebGL takes over once it has drawn: it
+  // may be absent, or slow to begin.
+  function quicken() {
+    if (location.hash === "#canvas") return;
+    const first = paint;
+    try {
+      paint = makeGl(holder, BACKGROUND);
+      resize();
+      paint.finish();
+    } catch { // there is no WebGL here
+      paint = first;
+      return;
     }
-    return makeCanvas(holder, BACKGROUND);
+    first.remove();
   }
 
   const pixel = () => (camera.top - camera.bottom) / camera.zoom / high; // [mm]
@@ -126,6 +133,7 @@ export function makeScene(holder, facts, model) {
   }
 
   function draw() {
+    cancelAnimationFrame(due);
     due = 0;
     if (!look.mode) return;
     update();
@@ -140,15 +148,25 @@ export function makeScene(holder, facts, model) {
     due ||= requestAnimationFrame(draw);
   }
 
-  function resize() {
-    wide = Math.max(1, holder.clientWidth);
-    high = Math.max(1, holder.clientHeight);
+  function fit() {
     const half = 0.5 * (camera.top - camera.bottom);
     camera.left = (-half * wide) / high;
     camera.right = (half * wide) / high;
     camera.updateProjectionMatrix();
-    paint.resize(wide, high);
     later(true);
+  }
+
+  // A canvas that is resized is empty till it is drawn again: at once.
+  function resize() {
+    wide = Math.max(1, holder.clientWidth);
+    high = Math.max(1, holder.clientHeight);
+    paint.resize(wide, high);
+    fit();
+    draw();
+  }
+
+  function isResized() {
+    return wide !== Math.max(1, holder.clientWidth) || high !== Math.max(1, holder.clientHeight);
   }
 
   // Look at all of the part from one side.
@@ -164,7 +182,7 @@ export function makeScene(holder, facts, model) {
     const half = 0.55 * Math.max(along(above), (along(side) * high) / wide, extent / 50);
     camera.top = half;
     camera.bottom = -half;
-    resize();
+    fit();
     controls.update();
   }
 
@@ -227,12 +245,14 @@ export function makeScene(holder, facts, model) {
   }
 
   controls.addEventListener("change", () => later(true));
-  new ResizeObserver(resize).observe(holder);
+  resize();
+  new ResizeObserver(() => { if (isResized()) resize(); }).observe(holder);
   const flat = !facts.lathe && size[2] <= FLAT * Math.max(size[0], size[1]);
   return {
-    kind: paint.kind, bounds, size, levels, views: Object.keys(views), pieces, camera,
+    bounds, size, levels, views: Object.keys(views), pieces, camera,
     start: facts.lathe ? "Z X" : flat ? "Top" : "Iso",
-    turn, show, pick, screenOf, project, pixel, later,
+    kind: () => paint.kind,
+    turn, show, pick, screenOf, project, pixel, later, draw, quicken,
     onDraw: (listener) => listeners.push(listener),
     look(changes) {
       look = { ...look, ...changes };
