@@ -10,7 +10,7 @@ const read = (name) => readFileSync(new URL(name, here), "utf8");
 const sha256 = (text) => createHash("sha256").update(text).digest("hex");
 
 // Everything that the bundle is made of, in the order of the names.
-const sources = ["bundle.mjs", "package-lock.json", "package.json",
+const sources = ["../pycnc/report/palette.json", "bundle.mjs", "package-lock.json", "package.json",
   ...readdirSync(new URL("src/", here)).sort().map((name) => `src/${name}`)];
 
 function licence(name) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What time is lost to: the head of the page, and the table of causes with their worst places.
-import { limitColour } from "./colours.js";
+import palette from "../../pycnc/report/palette.json";
+import { inkOn, limitColour } from "./colours.js";
 import { nearestLine } from "./data.js";
 import { duration, element, grouped } from "./words.js";
 
@@ -10,8 +11,7 @@ const MARKS = 7; // worst places that are marked in the picture
 const LEAST_S = 5e-4;
 
 // What holds by itself is calm; what makes the path lose time is not.
-const LOSES = { feed: "#12b3a6", rapid: "#5f86ff" };
-const KEPT = { cut_s: "#9fb2c8", rapid_s: "#c3ccd7", dwell_s: "#b4aec6" };
+const { changes: LOSES, kept: KEPT } = palette;
 
 export const causeColour = (cause) => LOSES[cause.cause] ?? limitColour(cause.cause);
 
@@ -55,6 +55,7 @@ function piece(share, colour, words, time) {
   const made = element("span", "", share > 0.16 ? told : share > 0.06 ? words : "");
   made.style.flexGrow = share;
   made.style.background = colour;
+  made.style.color = inkOn(colour);
   made.title = told;
   return made;
 }
@@ -105,7 +106,10 @@ function placeRow({ cause, place, number }, lineText, ask) {
   const row = element("button", "place");
   row.type = "button";
   const badge = element("span", number ? "badge" : "badge none", number ?? "");
-  badge.style.background = number ? causeColour(cause) : "";
+  if (number) {
+    badge.style.background = causeColour(cause);
+    badge.style.color = inkOn(causeColour(cause));
+  }
   const span = place.line_first === place.line_last
     ? `line ${grouped(place.line_first)}`
     : `lines ${grouped(place.line_first)}–${grouped(place.line_last)}`;

@@ -1,29 +1,18 @@
 // SPDX-License-Identifier: MIT
 // What colours mean: of limits, of numbers on a scale to what occurs, of tools.
-import { grouped } from "./words.js";
+import palette from "../../pycnc/report/palette.json";
+import { speedWords } from "./words.js";
 
-const LIMITS = {
-  feed: "#5d7fa3", rapid: "#56606e", corner: "#ff5a36", curvature: "#ffb000", chord: "#d9c400",
-  accel: "#e0453a", jerk: "#b06cff", exact_stop: "#ff3d8b", dwell: "#8f86a8", wait: "#6f6a80",
-  lookahead: "#22c7c7", starved: "#ffffff", feed_max: "#2fbf9f", spindle: "#79c23a",
-  thread: "#4f9d3f", ends: "#c07bd8",
-};
-const AXIS_V = ["#38a3ff", "#4f7bff", "#7fd0ff", "#00c2ff", "#8aa8ff", "#58e0e0", "#2f8fd0",
-  "#6fb6ff", "#9ad0ff"];
-const TOOLS = ["#5ab4f0", "#ffb000", "#7bd66b", "#ff6f91", "#b48cff", "#35d0c0", "#ffd84d",
-  "#ff8552", "#9bb7d4", "#d88cff"];
-export const RAPID = "#4a5361";
-
-// Slow is hot, the programmed feed is calm.
-const HOT = ["#ff2d3f", "#ff5a36", "#ff8a2b", "#ffc02e", "#d6d06a", "#86b6a8", "#5d8fc0"];
-// Slow is blue, fast is red.
-const SPEED = ["#3b5bdb", "#2f9bf0", "#27cfc0", "#6fe06a", "#d9e04a", "#ffb03a", "#ff5a3c"];
+// Slow is red, fast is blue: of a share of the feed and of a speed. Told apart by whoever sees
+// no green (tests/report/test_palette.py).
+const SPEED = palette.speed;
 // Nothing is felt, or as much as an axis can do.
-const NEAR = ["#3f4a5a", "#3f7f93", "#36b39a", "#b5cf5a", "#ffd23f"];
+const NEAR = palette.near;
+export const RAPID = palette.limits.rapid;
 
 export function limitColour(name) {
   const [kind, axis] = name.split(":");
-  return axis ? AXIS_V["xyzabcuvw".indexOf(axis)] : LIMITS[kind] ?? "#cccccc";
+  return axis ? palette.axes[axis] : palette.limits[kind] ?? "#cccccc";
 }
 
 const rgb = (hex) => [1, 3, 5].map((k) => parseInt(hex.slice(k, k + 2), 16));
@@ -100,7 +89,13 @@ function limitsThatOccur(facts, model) {
     .map(([code]) => [limitColour(facts.limits[code].name), facts.limits[code].words]);
 }
 
-export const toolColour = (tool) => TOOLS[tool % TOOLS.length];
+// Ink that is read on a colour.
+export function inkOn(hex) {
+  const [r, g, b] = rgb(hex).map((level) => (level / 255) ** 2.2);
+  return 0.2126 * r + 0.7152 * g + 0.0722 * b > 0.18 ? "#10161f" : "#ffffff";
+}
+
+export const toolColour = (tool) => palette.tools[tool % palette.tools.length];
 
 // Colour modes by their name, in the order of the buttons.
 export function modes(facts, model) {
@@ -108,12 +103,12 @@ export function modes(facts, model) {
   const speed = spread(model, (i) => model.v[i]);
   const tools = [...new Set(model.tool)].sort((one, other) => one - other);
   const found = {
-    slowness: scale("Share of the programmed feed", HOT, share, [0, 1],
-      ["standing", "as programmed"]),
+    slowness: scale("Share of the programmed feed", SPEED, share, [0, 1],
+      () => ["standing", "as programmed"]),
     speed: scale("Speed reached", SPEED, (i) => model.v[i], [0, speed[1]],
-      ["0", `${grouped(speed[1] * 60)} mm/min`]),
+      () => ["0", speedWords(speed[1])]),
     acceleration: scale("Acceleration of the axis nearest to its limit", NEAR,
-      (i) => model.near[i], [0, 1], ["0", "at its limit"]),
+      (i) => model.near[i], [0, 1], () => ["0", "at its limit"]),
     limit: kinds("What holds the speed", (i) => {
       const { name } = facts.limits[model.limit[i]];
       return [name, limitColour(name)];

@@ -4,16 +4,20 @@
 import uPlot from "uplot";
 import { limitColour } from "./colours.js";
 import { momentOf, place, stretchAt, wayShare } from "./data.js";
-import { edges } from "./felt.js";
-import { clock, element, grouped } from "./words.js";
+import { edges, limitsOf } from "./felt.js";
+import { clock, element, grouped, inUnit, speedUnit } from "./words.js";
 
-const DARK = matchMedia("(prefers-color-scheme: dark)").matches;
-const INK = DARK ? "#9aa7b8" : "#55606e";
-const GRID = { stroke: DARK ? "#26303d" : "#e6e9ee", width: 1 };
+const dark = matchMedia("(prefers-color-scheme: dark)");
+const paper = matchMedia("print");
+const isDark = () => dark.matches && !paper.matches;
+const ink = () => (isDark() ? "#9aa7b8" : "#55606e");
+const GRID = { stroke: () => (isDark() ? "#26303d" : "#e6e9ee"), width: 1 };
 const LIMIT = "#d9480f";
 const BAND = 9; // height of the band that tells the limits [px]
 const HEIGHTS = { v: 128, a: 84, j: 84 };
+const RIGHT = 66; // width of the axis on the right [px]
 const SYNC = "pycnc";
+const SHARE = "% of limit";
 
 // Places, and rows of values there, of the stretches first … last: as they are, or of each pixel
 // the least and the largest. Behind them their mean over time, and the programmed feed.
@@ -83,13 +87,23 @@ export function makeCurves(holder, facts, model, ask) {
   // Of a share 100 are the limit; of an axis its own number.
   const full = (key) => (isShare() ? 100 : state.track.limits[key]);
   const unitOf = (key) => {
+    if (key === "v") return `speed ${speedUnit()}`;
     const what = { a: "accel.", j: "jerk" }[key];
-    const length = "abc".includes(state.track.name) ? "°" : "mm";
-    return `${what} ${isShare() ? "% of limit" : `${length}/s${{ a: "²", j: "³" }[key]}`}`;
+    return `${what} ${isShare() ? SHARE : absolute(key)}`;
   };
+  const absolute = (key) => {
+    const length = "abc".includes(state.track.name) ? "°" : "mm";
+    return `${length}/s${{ a: "²", j: "³" }[key]}`;
+  };
+  // The second number: of a share what the limits are, of an axis its share of the limit.
+  const otherUnit = (key) => (isShare() ? absolute(key) : SHARE);
+  const others = (key, splits) => splits.map((value) => {
+    if (!isShare()) return `${grouped((100 * value) / full(key))} %`;
+    return value > 0 ? limitsOf(felt, key) : "";
+  });
   const curves = [
-    { key: "v", unit: "speed mm/min", colour: "28,100,216",
-      value: (i, end) => 60 * model.v[i - 1 + end], feed: (i) => 60 * model.feed[i] },
+    { key: "v", colour: "28,100,216",
+      value: (i, end) => inUnit(model.v[i - 1 + end]), feed: (i) => inUnit(model.feed[i]) },
     { key: "a", colour: "13,155,108" },
     ...(facts.j_max !== null ? [{ key: "j", colour: "145,70,214" }] : []),
   ];
@@ -121,7 +135,7 @@ export function makeCurves(holder, facts, model, ask) {
       all = Math.max(all, v);
       if (!model.isRapid(i)) cut = Math.max(cut, v);
     }
-    return 60 * 1.12 * Math.max((cut > 0 && all > 2 * cut) || !state.rapids ? cut : all, 1e-6);
+    return 1.12 * inUnit(Math.max((cut > 0 && all > 2 * cut) || !state.rapids ? cut : all, 1e-6));
   }
 
   function visible() {
@@ -154,14 +168,23 @@ export function makeCurves(holder, facts, model, ask) {
   }
 
   const axis = (label) => ({
-    stroke: INK, grid: GRID, ticks: { show: false }, size: 74, gap: 4,
+    stroke: ink, grid: GRID, ticks: { show: false }, size: 74, gap: 4,
     label, labelSize: 0, font: "11px system-ui, sans-serif",
     values: (u, splits) => splits.map((value) => grouped(value)), space: 20,
   });
 
+  const second = (key) => ({
+    side: 1, scale: "y", stroke: ink, grid: { show: false }, ticks: { show: false }, size: RIGHT,
+    gap: 4, font: "11px system-ui, sans-serif", space: 20,
+    splits: () => (key === "v" ? []
+      : [-1, -0.5, 0, 0.5, 1].map((share) => share * full(key))
+        .filter((value) => !isShare() || Math.abs(value) === full(key))),
+    values: (u, splits) => (key === "v" ? [] : others(key, splits)),
+  });
+
   function across(isLast) {
     return {
-      stroke: INK, grid: GRID, ticks: { show: false }, size: isLast ? 26 : 0, show: isLast,
+      stroke: ink, grid: GRID, ticks: { show: false }, size: isLast ? 26 : 0, show: isLast,
       font: "11px system-ui, sans-serif",
       values: (u, splits) => splits.map((value) => (state.isTime
         ? (state.range[1] - state.range[0] > 90 ? clock(value, 0) : `${+value.toFixed(3)} s`)
@@ -170,19 +193,20 @@ export function makeCurves(holder, facts, model, ask) {
   }
 
   function make(curve, k) {
-    const { key, unit, colour } = curve;
+    const { key, colour } = curve;
     const isLast = k === curves.length - 1;
     const box = element("div", "curve");
     const height = HEIGHTS[key] + (isLast ? 26 : 0);
     box.style.height = `${height}px`; // before uPlot, which is late: the view has its size at once
-    box.append(element("span", "unit", unit ?? unitOf(key)));
+    box.append(element("span", "unit", unitOf(key)));
+    if (key !== "v") box.append(element("span", "unit right", otherUnit(key)));
     holder.append(box);
     const line = (width, alpha) => ({
       stroke: `rgba(${colour},${alpha})`, width, points: { show: false },
     });
     const options = {
       width: holder.clientWidth, height,
-      padding: [key === "v" ? BAND + 8 : 6, 14, isLast ? 0 : 4, 0],
+      padding: [key === "v" ? BAND + 8 : 6, 0, isLast ? 0 : 4, 0],
       legend: { show: false },
       cursor: {
         sync: { key: SYNC }, y: false, points: { show: false },
@@ -193,7 +217,7 @@ export function makeCurves(holder, facts, model, ask) {
         x: { time: false, range: () => state.range },
         y: { range: (u, least, most) => range(key, least, most) },
       },
-      axes: [across(isLast), axis(null)],
+      axes: [across(isLast), axis(null), second(key)],
       series: [{}, line(0.6, 0.5), line(0.6, 0.5), line(1.5, key === "v" ? 1 : 0.6),
         { stroke: "#8a97a8", width: 1.2, points: { show: false } }],
       bands: [{ series: [2, 1], fill: `rgba(${colour},0.22)` }],
@@ -265,10 +289,24 @@ export function makeCurves(holder, facts, model, ask) {
     mark();
   }
 
+  function label() {
+    for (const { curve: { key }, box } of plots) {
+      box.querySelector(".unit").textContent = unitOf(key);
+      const right = box.querySelector(".unit.right");
+      if (right) right.textContent = otherUnit(key);
+    }
+    fill();
+  }
+
+  // Where a moment is on the axis.
+  function xOf(moment) {
+    const { i, f } = moment;
+    const share = state.isTime ? f : wayShare(model, moment);
+    return state.xs[i - 1] + share * (state.xs[i] - state.xs[i - 1]);
+  }
+
   function mark() {
-    const { i, f } = state.now;
-    const share = state.isTime ? f : wayShare(model, state.now);
-    const x = state.xs[i - 1] + share * (state.xs[i] - state.xs[i - 1]);
+    const x = xOf(state.now);
     for (const { plot } of plots) {
       const px = plot.valToPos(x, "x");
       const line = plot.over.querySelector(".now");
@@ -287,12 +325,14 @@ export function makeCurves(holder, facts, model, ask) {
   }
 
   const plots = curves.map(make);
-  new ResizeObserver(() => {
+  function resize() {
     for (const { plot } of plots) {
       plot.setSize({ width: holder.clientWidth, height: plot.height });
     }
     fill();
-  }).observe(holder);
+  }
+  new ResizeObserver(resize).observe(holder);
+  dark.addEventListener("change", fill);
   fill();
 
   return {
@@ -325,11 +365,21 @@ export function makeCurves(holder, facts, model, ask) {
     // Whose acceleration and jerk are shown.
     track(name) {
       state.track = felt.of.get(name);
-      for (const { curve, box } of plots) {
-        if (curve.key !== "v") box.querySelector(".unit").textContent = unitOf(curve.key);
-      }
-      fill();
+      label();
     },
+    label,
+    resize,
+    // By keys: the moment goes on by a share of what is shown, or what is shown grows about it.
+    step(share) {
+      const [low, high] = state.range;
+      const x = xOf(state.now) + share * (high - low);
+      ask.now(at(Math.max(0, Math.min(state.xs[last], x))));
+    },
+    grow(factor) {
+      const middle = xOf(state.now);
+      zoom(state.range.map((end) => middle + (end - middle) * factor));
+    },
+    end: (isLast) => ask.now(at(isLast ? state.xs[last] : 0)),
     whole: () => zoom(null),
   };
 }

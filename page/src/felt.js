@@ -63,3 +63,17 @@ export function nearest(felt, model) {
   }
   return share;
 }
+
+// The limits of the axes, those together that are the same: "XY 2,000", a line each.
+export function limitsOf(felt, kind) {
+  const letters = new Map();
+  for (const name of felt.names.filter((each) => each.length === 1)) {
+    const limit = felt.of.get(name).limits[kind];
+    letters.set(limit, (letters.get(limit) ?? "") + name.toUpperCase());
+  }
+  return [...letters].map(([limit, names]) => `${names} ${compact(limit)}`).join("\n");
+}
+
+const compact = (value) => value.toLocaleString("en", {
+  notation: "compact", maximumSignificantDigits: 4,
+});

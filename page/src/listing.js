@@ -91,6 +91,7 @@ export function makeListing(box, rows, { text, model, facts }, ask) {
   draw();
   return {
     count, lineText,
+    line: () => state.line,
     now(line) {
       if (line === state.line) return;
       state.line = line;

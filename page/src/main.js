@@ -8,10 +8,15 @@ import {
 import { modes } from "./colours.js";
 import { makeCurves } from "./curves.js";
 import { linesAt, load, nearestLine, stretchAt } from "./data.js";
+import { makeFilter } from "./filter.js";
+import { makeFind } from "./find.js";
+import { curveKeys, pathKeys } from "./keys.js";
 import { makeListing } from "./listing.js";
 import { makeOver } from "./over.js";
 import { makeScene } from "./scene.js";
-import { clock, duration, element, grouped, lowWords } from "./words.js";
+import {
+  clock, duration, element, grouped, lowWords, setUnit, speedNumber, speedUnit, UNITS,
+} from "./words.js";
 
 const RATES = [0.1, 1, 5, 20, 100];
 const by = (id) => document.getElementById(id);
@@ -27,7 +32,10 @@ function choice(box, names, words, take) {
     return made;
   });
   function press(name) {
-    for (const each of buttons) each.classList.toggle("on", each.dataset.name === name);
+    for (const each of buttons) {
+      each.classList.toggle("on", each.dataset.name === name);
+      each.setAttribute("aria-pressed", each.dataset.name === name);
+    }
     take(name);
   }
   return press;
@@ -39,7 +47,7 @@ function drawLegend(box, mode) {
     const bar = element("i", "gradient");
     bar.style.background = mode.gradient;
     const ends = element("span", "ends");
-    ends.append(...mode.ends.map((end) => element("span", "", end)));
+    ends.append(...mode.ends().map((end) => element("span", "", end)));
     box.append(bar, ends);
     return;
   }
@@ -68,8 +76,8 @@ function start({ facts, model, text }) {
     const limit = facts.limits[model.limit[i]];
     const is_ramp = facts.ramps.includes(model.code[i] & 31);
     const owner = model.owner[i];
-    const [v, feed] = [60 * speedOf(moment), 60 * model.feed[i]];
-    const share = feed > 0 ? ` of ${grouped(feed)} (${grouped((100 * v) / feed)} %)` : "";
+    const [v, feed] = [speedOf(moment), model.feed[i]];
+    const share = feed > 0 ? ` of ${speedNumber(feed)} (${grouped((100 * v) / feed)} %)` : "";
     const ramp = is_ramp && facts.feet ? lowWords(facts, model.feet, owner) : limit.words;
     const costs = is_ramp && model.feet.lost[owner] >= 5e-4
       ? ` – costs ${duration(model.feet.lost[owner])}` : "";
@@ -77,7 +85,7 @@ function start({ facts, model, text }) {
     return {
       line: model.line[i],
       lines: first < last ? `lines ${grouped(first)}–${grouped(last)}` : `line ${grouped(last)}`,
-      speed: model.rests(i) ? "at rest" : `${grouped(v)}${share} mm/min`,
+      speed: model.rests(i) ? "at rest" : `${speedNumber(v)}${share} ${speedUnit()}`,
       held: `${is_ramp ? "ramp for" : "held by"} ${ramp}${costs}`,
       place: `${clock(timeOf(moment))} · ${[...linear, ...facts.turned]
         .map((axis) => `${axis.toUpperCase()} ${model.axis[axis][i].toFixed(3)}`).join("  ")}`,
@@ -110,6 +118,14 @@ function start({ facts, model, text }) {
 
   const ask = {
     now: (moment) => setNow(moment),
+    here: () => listing.line(),
+    // The next point, or the one before.
+    point(step) {
+      const { i, f } = state.moment;
+      const next = step > 0 ? (f < 1 ? i : i + 1) : i - 1;
+      setNow({ i: Math.max(1, Math.min(model.n - 1, next)), f: next < 1 ? 0 : 1 });
+    },
+    whole: () => scene.turn(state.view),
     hover(moment) {
       over({ ghost: moment });
       if (moment) tip(moment, ...scene.screenOf(moment.i));
@@ -171,11 +187,37 @@ function start({ facts, model, text }) {
 
   const mode = choice(by("modes"), Object.keys(found),
     (name) => name[0].toUpperCase() + name.slice(1), (name) => {
+      state.mode = name;
       scene.look({ mode: found[name] });
       drawLegend(by("legend"), found[name]);
     });
   mode("slowness");
-  choice(by("views"), scene.views, (name) => name, (name) => scene.turn(name))(scene.start);
+  choice(by("views"), scene.views, (name) => name, (name) => {
+    state.view = name;
+    scene.turn(name);
+  })(scene.start);
+  choice(by("units"), Object.keys(UNITS), (name) => name, (name) => {
+    setUnit(name);
+    curves.label();
+    drawLegend(by("legend"), found[state.mode]);
+    setNow(state.moment);
+  })("mm/min");
+  makeFilter({ box: by("filter"), low: by("low"), high: by("high"), tool: by("tool-only"),
+    told: by("filtered") }, model, scene.bounds, (within) => scene.look({ within }));
+  const find = makeFind({ input: by("find"), back: by("find-back"), on: by("find-on"),
+    told: by("found") }, text, ask);
+  document.addEventListener("keydown", (event) => {
+    if (event.key !== "/" || /INPUT|SELECT/.test(event.target.tagName)) return;
+    event.preventDefault();
+    find();
+  });
+  pathKeys(by("over"), scene, ask);
+  curveKeys(by("curves"), curves);
+  const paper = matchMedia("print");
+  paper.addEventListener("change", () => {
+    scene.onPaper(paper.matches);
+    curves.resize();
+  });
   choice(by("across"), ["time", "path"], (name) => name, (name) => curves.over(name === "time"))(
     "time");
   choice(by("tracks"), model.felt.names, (name) => (name.length > 1 ? name : name.toUpperCase()),

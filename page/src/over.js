@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is written over the path: marks of the worst places, the moment, a scale, the axes.
 import { Vector3 } from "three";
+import { inkOn } from "./colours.js";
 import { wayShare } from "./data.js";
 
 const AXES = [
@@ -50,7 +51,7 @@ export function makeOver(canvas, scene, model) {
     pen.stroke();
     dot(at, 3, colour, "#10161f");
     dot([x, y], 10, colour, "#10161f");
-    pen.fillStyle = "#10161f";
+    pen.fillStyle = inkOn(colour);
     pen.font = "700 12px system-ui, sans-serif";
     pen.textAlign = "center";
     pen.textBaseline = "middle";

@@ -3,12 +3,13 @@
 
 const STEPS = 24; // levels of each colour: pieces of one colour are one stroke
 
-export function makeCanvas(holder, background) {
+export function makeCanvas(holder) {
   const canvas = document.createElement("canvas");
   canvas.className = "paint";
   holder.prepend(canvas);
   const pen = canvas.getContext("2d");
   let pieces = null;
+  let background = "";
   let order = new Uint32Array(0);
   let keys = new Uint32Array(0);
 
@@ -28,6 +29,7 @@ export function makeCanvas(holder, background) {
   return {
     kind: "canvas",
     remove: () => canvas.remove(),
+    ground(colour) { background = colour; },
     resize(width, height) {
       const ratio = window.devicePixelRatio;
       canvas.width = Math.round(width * ratio);

@@ -11,9 +11,8 @@ const BROAD_MOST = 60000; // pieces: more are drawn a pixel wide
 const WIDTH = 2.2; // [px]
 
 // Throws where there is no WebGL.
-export function makeGl(holder, background) {
+export function makeGl(holder) {
   const renderer = new WebGLRenderer({ antialias: true });
-  renderer.setClearColor(background);
   renderer.domElement.className = "paint";
   holder.prepend(renderer.domElement);
   const scene = new Scene();
@@ -43,6 +42,7 @@ export function makeGl(holder, background) {
 
   return {
     kind: "webgl",
+    ground: (colour) => renderer.setClearColor(colour),
     resize(width, height) {
       renderer.setPixelRatio(window.devicePixelRatio);
       renderer.setSize(width, height);

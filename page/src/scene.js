@@ -8,7 +8,7 @@ import { makeLevels } from "./levels.js";
 import { makeCanvas } from "./paint_canvas.js";
 import { makeGl } from "./paint_gl.js";
 
-const BACKGROUND = "#10161f";
+const GROUND = { screen: "#10161f", paper: "#ffffff" };
 const FLAT = 0.12; // a part whose height is less of its width is looked at from above
 const REACH = 14; // what is further from the pointer is not meant [px]
 const SHARP = 0.7; // what is left out is nearer to what is drawn [px]
@@ -43,14 +43,14 @@ export function makeScene(holder, facts, model) {
   const camera = new OrthographicCamera(-1, 1, 1, -1, -20 * extent, 20 * extent);
   camera.up.set(...(facts.lathe ? [1, 0, 0] : [0, 0, 1]));
   const matrix = new Matrix4();
-  let paint = makeCanvas(holder, BACKGROUND);
+  let paint = makeCanvas(holder);
   const over = holder.querySelector("canvas#over");
   const controls = new OrbitControls(camera, over);
   controls.zoomToCursor = true;
   controls.enableDamping = false;
   let wide = 1;
   let high = 1;
-  let look = { mode: null, rapids: true, chosen: null };
+  let look = { mode: null, rapids: true, chosen: null, within: null };
   const most = model.n;
   const pieces = {
     count: 0, positions: new Float32Array(6 * most), colours: new Uint8Array(6 * most),
@@ -66,7 +66,8 @@ export function makeScene(holder, facts, model) {
     if (location.hash === "#canvas") return;
     const first = paint;
     try {
-      paint = makeGl(holder, BACKGROUND);
+      paint = makeGl(holder);
+      paint.ground(GROUND.screen);
       resize();
       paint.finish();
     } catch { // there is no WebGL here
@@ -114,6 +115,7 @@ export function makeScene(holder, facts, model) {
         const i = points[k];
         const from = points[k - 1];
         if (!look.rapids && model.isRapid(i)) continue;
+        if (look.within && !look.within(i, from)) continue;
         const at = 6 * count;
         const p = pieces.positions;
         p[at] = x[from] - centre[0];
@@ -186,6 +188,39 @@ export function makeScene(holder, facts, model) {
     controls.update();
   }
 
+  // Turn the part by so much to the right and up [rad].
+  function swing(right, up) {
+    const away = camera.position.clone().sub(controls.target);
+    const side = new Vector3().crossVectors(camera.up, away).normalize();
+    const high = away.angleTo(camera.up);
+    away.applyAxisAngle(side, Math.max(1e-3, Math.min(Math.PI - 1e-3, high - up)) - high);
+    camera.position.copy(controls.target).add(away.applyAxisAngle(camera.up, -right));
+    controls.update();
+    later(true);
+  }
+
+  // Move the picture by so many pixels.
+  function move(right, down) {
+    const way = new Vector3(-right, down, 0).multiplyScalar(pixel()).applyQuaternion(
+      camera.quaternion);
+    camera.position.add(way);
+    controls.target.add(way);
+    controls.update();
+    later(true);
+  }
+
+  function zoom(factor) {
+    camera.zoom = Math.max(0.2, Math.min(1e5, camera.zoom * factor));
+    camera.updateProjectionMatrix();
+    later(true);
+  }
+
+  // On paper the ground is white.
+  function onPaper(isPaper) {
+    paint.ground(isPaper ? GROUND.paper : GROUND.screen);
+    resize();
+  }
+
   // Look at a point, and so much about it as the stretches first … last of the path take.
   function show(first, last, centred) {
     let [least, most] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
@@ -245,6 +280,7 @@ export function makeScene(holder, facts, model) {
   }
 
   controls.addEventListener("change", () => later(true));
+  paint.ground(GROUND.screen);
   resize();
   new ResizeObserver(() => { if (isResized()) resize(); }).observe(holder);
   const flat = !facts.lathe && size[2] <= FLAT * Math.max(size[0], size[1]);
@@ -252,7 +288,7 @@ export function makeScene(holder, facts, model) {
     bounds, size, levels, views: Object.keys(views), pieces, camera,
     start: facts.lathe ? "Z X" : flat ? "Top" : "Iso",
     kind: () => paint.kind,
-    turn, show, pick, screenOf, project, pixel, later, draw, quicken,
+    turn, show, swing, move, zoom, onPaper, pick, screenOf, project, pixel, later, draw, quicken,
     onDraw: (listener) => listeners.push(listener),
     look(changes) {
       look = { ...look, ...changes };

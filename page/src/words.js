@@ -21,6 +21,16 @@ export const grouped = (value, digits = 0) => value.toLocaleString("en", {
   minimumFractionDigits: digits, maximumFractionDigits: digits,
 });
 
+// The unit that speeds are told in.
+export const UNITS = { "mm/min": 60, "mm/s": 1 };
+let unit = "mm/min";
+export const setUnit = (name) => { unit = name; };
+export const speedUnit = () => unit;
+export const inUnit = (speed) => UNITS[unit] * speed; // speed [mm/s]
+const digits = () => (unit === "mm/s" ? 1 : 0);
+export const speedNumber = (speed) => grouped(inUnit(speed), digits());
+export const speedWords = (speed) => `${speedNumber(speed)} ${unit}`;
+
 // An element with a class and text: text, as it is.
 export function element(tag, name, text) {
   const made = document.createElement(tag);

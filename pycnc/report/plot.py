@@ -2,8 +2,10 @@
 """Pictures of a run: the path coloured by the speed really reached, speed and acceleration."""
 
 import errno
+import json
 import math
 import os
+from importlib import resources
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +23,7 @@ _ON_SCREEN = np.array([  # of a box with X, Y, Z: width and height, seen from th
     [math.sin(_TILT) * math.cos(_TURN), -math.sin(_TILT) * math.sin(_TURN), math.cos(_TILT)],
 ])  # fmt: skip
 _TITLE, _GAP = 0.4, 0.1  # height of its line, and below the path [inch]
-_RAPID, _INK, _GRID = "#b8bec8", "#20242c", "#e4e7ec"
+_INK, _GRID = "#20242c", "#e4e7ec"
 _SPEED, _FEED, _ACCELERATION = "#1f6feb", "#9aa4b2", "#d1495b"
 
 
@@ -134,12 +136,16 @@ def _projection(trace):
     return tuple(sorted(ranked[:2])) if len(ranked) > 1 else (ranked[0], ranked[0])
 
 
+def palette():
+    """Return the colours that pictures and pages share: slow is red and fast blue in both."""
+    text = resources.files("pycnc.report").joinpath("palette.json").read_text(encoding="utf-8")
+    return json.loads(text)
+
+
 def _colours():
-    """Return the colours of speed: blue is slow, red is fast, without turbo's dark ends."""
-    from matplotlib import colormaps
     from matplotlib.colors import LinearSegmentedColormap
 
-    return LinearSegmentedColormap.from_list("speed", colormaps["turbo"](np.linspace(0.1, 0.9, 64)))
+    return LinearSegmentedColormap.from_list("speed", palette()["speed"])
 
 
 def _path_height(trace, shape):
@@ -172,7 +178,7 @@ def _draw_path(figure, axes, trace, shape):
     collection = LineCollection
     if len(shape) == 3:
         from mpl_toolkits.mplot3d.art3d import Line3DCollection as collection
-    axes.add_collection(collection(pieces[moved & rapid], colors=_RAPID, linewidths=0.6))
+    axes.add_collection(collection(pieces[moved & rapid], colors=palette()["limits"]["rapid"], linewidths=0.6))
     coloured = collection(
         pieces[cutting], cmap=_colours(), norm=Normalize(0, top), linewidths=1.6, capstyle="round"
     )

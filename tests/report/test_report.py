@@ -251,7 +251,7 @@ def test_the_bundle_is_that_of_its_sources_and_has_its_licences():
     sha256 = lambda data: hashlib.sha256(data).hexdigest()  # noqa: E731
     for name in ("page.js", "page.css"):
         assert sha256((ROOT / "pycnc/report" / name).read_bytes()) == told[name], name
-    names = ["bundle.mjs", "package-lock.json", "package.json"]
+    names = ["../pycnc/report/palette.json", "bundle.mjs", "package-lock.json", "package.json"]
     names += sorted(f"src/{path.name}" for path in (ROOT / "page/src").iterdir())
     lines = "".join(f"{name} {sha256((ROOT / 'page' / name).read_bytes())}\n" for name in names)
     assert sha256(lines.encode()) == told["sources"], "npm --prefix page run bundle"
