@@ -13,6 +13,7 @@ import { makeFind } from "./find.js";
 import { curveKeys, pathKeys } from "./keys.js";
 import { makeListing } from "./listing.js";
 import { makeOver } from "./over.js";
+import { makePart } from "./part.js";
 import { makeScene } from "./scene.js";
 import {
   clock, duration, element, grouped, lowWords, setUnit, speedNumber, speedUnit, UNITS,
@@ -66,6 +67,8 @@ function start({ facts, model, text }) {
   const linear = ["x", "y", "z"].filter((axis) => facts.axes.includes(axis));
   drawHead(facts, text);
   const scene = makeScene(by("view"), facts, model);
+  const part = makePart({ cutter: by("cutter"), view: by("view"), over: by("over") }, facts, model,
+    scene);
   const over = makeOver(by("over"), scene, model);
   const timeOf = ({ i, f }) => model.t[i - 1] + f * (model.t[i] - model.t[i - 1]);
   const speedOf = ({ i, f }) => model.v[i - 1] + f * (model.v[i] - model.v[i - 1]);
@@ -108,6 +111,7 @@ function start({ facts, model, text }) {
   function setNow(moment) {
     state.moment = moment;
     over({ now: moment });
+    part?.now(moment);
     listing.now(model.line[moment.i]);
     curves.now(moment);
     by("scrub").value = Math.round((10000 * timeOf(moment)) / model.t[model.n - 1]);
@@ -179,11 +183,23 @@ function start({ facts, model, text }) {
   const marks = marksOf(facts);
   drawCauses(by("causes"), facts, marks, listing.lineText, ask);
   drawCures(by("causes"), facts);
-  over({
-    marks: marks.map(({ cause, place }, k) => ({
-      i: pointOf(facts, model, cause, place), label: String(k + 1), colour: causeColour(cause),
-    })),
-  });
+  const placed = marks.map(({ cause, place }, k) => ({
+    i: pointOf(facts, model, cause, place), label: String(k + 1), colour: causeColour(cause),
+  }));
+  over({ marks: placed });
+
+  by("shows").hidden = !part;
+  if (part) {
+    choice(by("shows"), ["path", "part"], (name) => name, (name) => {
+      const isPart = name === "part";
+      over({ marks: isPart ? [] : placed });
+      by("legend").hidden = isPart;
+      part.show(isPart);
+      if (isPart && facts.lathe) ask.view("Z X");
+      else if (isPart && state.view === "Top") ask.view("Iso");
+      if (isPart) part.frame();
+    })("path");
+  }
 
   const mode = choice(by("modes"), Object.keys(found),
     (name) => name[0].toUpperCase() + name.slice(1), (name) => {
@@ -192,10 +208,11 @@ function start({ facts, model, text }) {
       drawLegend(by("legend"), found[name]);
     });
   mode("slowness");
-  choice(by("views"), scene.views, (name) => name, (name) => {
+  ask.view = choice(by("views"), scene.views, (name) => name, (name) => {
     state.view = name;
     scene.turn(name);
-  })(scene.start);
+  });
+  ask.view(scene.start);
   choice(by("units"), Object.keys(UNITS), (name) => name, (name) => {
     setUnit(name);
     curves.label();
@@ -245,7 +262,9 @@ function start({ facts, model, text }) {
   player(state, model, setNow, timeOf);
   setNow({ i: 1, f: 0 });
   scene.draw();
-  return { facts, model, scene, found, ask, state, timeOf, speedOf, wordsOf, listing, curves };
+  return {
+    facts, model, scene, found, ask, state, timeOf, speedOf, wordsOf, listing, curves, part,
+  };
 }
 
 // A pointer that rests shows what is there; a click that is no drag chooses it.

@@ -215,6 +215,17 @@ export function makeScene(holder, facts, model) {
     later(true);
   }
 
+  // Look at a place, so much about it as is asked for in height and width [mm].
+  function frame(place, tall, broad) {
+    const middle = new Vector3(...place.map((value, d) => value - centre[d]));
+    camera.position.add(middle).sub(controls.target);
+    controls.target.copy(middle);
+    camera.zoom = (camera.top - camera.bottom) / Math.max(tall, (broad * high) / wide);
+    camera.updateProjectionMatrix();
+    controls.update();
+    later(true);
+  }
+
   // On paper the ground is white.
   function onPaper(isPaper) {
     paint.ground(isPaper ? GROUND.paper : GROUND.screen);
@@ -285,10 +296,11 @@ export function makeScene(holder, facts, model) {
   new ResizeObserver(() => { if (isResized()) resize(); }).observe(holder);
   const flat = !facts.lathe && size[2] <= FLAT * Math.max(size[0], size[1]);
   return {
-    bounds, size, levels, views: Object.keys(views), pieces, camera,
+    bounds, size, levels, matrix, views: Object.keys(views), pieces, camera,
     start: facts.lathe ? "Z X" : flat ? "Top" : "Iso",
     kind: () => paint.kind,
-    turn, show, swing, move, zoom, onPaper, pick, screenOf, project, pixel, later, draw, quicken,
+    turn, show, frame, swing, move, zoom, onPaper, pick, screenOf, project, pixel, later, draw,
+    quicken,
     onDraw: (listener) => listeners.push(listener),
     look(changes) {
       look = { ...look, ...changes };

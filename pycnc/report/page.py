@@ -11,6 +11,7 @@ import base64
 import hashlib
 import html
 import json
+import re
 from importlib import resources
 
 from pycnc import errors
@@ -37,6 +38,7 @@ def _facts(found, trail, told):
         "blocks": plan.totals["blocks"],
         "axes": machine.axes,
         "turned": trail.turned,
+        "stock": _stock(found.program),
         "lathe": machine.settings.kinematics.type == "lathe_xz",
         "j_max": float(path["j_max"]) if slope != "linear" and not foreign else None,
         "points": told["points"],
@@ -46,6 +48,20 @@ def _facts(found, trail, told):
         "ramps": [int(limits.ACCEL), int(limits.JERK)],
         **{name: told[name] for name in ("all", "spans", "lines") if name in told},
     }  # fmt: skip
+
+
+def _stock(program):
+    """Return what the page needs to show the part being cut; None where nothing is cut off."""
+    machine, record = program.machine, program.machine.record
+    if machine.settings.kinematics.type == "lathe_xz":
+        return {"kind": "lathe", "tools": {}}
+    if not set("xyz") <= set(machine.axes) <= set("xyzabc"):  # an extruder is an axis
+        return None
+    is_long = re.search(rb"G\s*0*43", program.text, re.I) if program.text else None
+    tools = {number: {"diameter": 2 * float(tool.radius_mm),
+                      **({"length": float(tool.length_mm)} if is_long else {})}
+             for number, tool in machine.settings.tool.items() if tool.radius_mm > 0}  # fmt: skip
+    return {"kind": "mill", "tools": tools, "work_z": float(record["work_nm"][0][2]) * 1e-6}
 
 
 def _words(name, machine):

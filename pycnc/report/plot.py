@@ -178,7 +178,8 @@ def _draw_path(figure, axes, trace, shape):
     collection = LineCollection
     if len(shape) == 3:
         from mpl_toolkits.mplot3d.art3d import Line3DCollection as collection
-    axes.add_collection(collection(pieces[moved & rapid], colors=palette()["limits"]["rapid"], linewidths=0.6))
+    grey = palette()["limits"]["rapid"]
+    axes.add_collection(collection(pieces[moved & rapid], colors=grey, linewidths=0.6))
     coloured = collection(
         pieces[cutting], cmap=_colours(), norm=Normalize(0, top), linewidths=1.6, capstyle="round"
     )

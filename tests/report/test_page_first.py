@@ -44,7 +44,9 @@ LEAST = 500  # pixels of the path
         (("--disable-software-rasterizer",), "false", "canvas"),
     ],
 )
-def test_the_path_is_drawn_before_webgl_is_asked_for(browse, tmp_path, flags, lost, kind):
+def test_the_path_is_drawn_before_webgl_is_asked_for(
+    browse, tmp_path, flags, lost, kind  # noqa: F811
+):
     file = write(tmp_path, PART)
     with browse(file, *flags, before=WATCH.replace("LOST", lost)) as visit:
         first = visit.ask("window.first")
