@@ -343,6 +343,7 @@ async function main() {
     return;
   }
   const { scene } = window.report = start(await load());
+  performance.mark("drawn"); // the first picture
   requestAnimationFrame(() => setTimeout(() => {
     scene.quicken();
     document.body.dataset.ready = scene.kind();
