@@ -2,6 +2,7 @@
 // Draws pieces of path on a 2-D canvas: the first picture, and all where there is no WebGL.
 
 const STEPS = 24; // levels of each colour: pieces of one colour are one stroke
+const KEYS = 32 ** 3;
 
 export function makeCanvas(holder) {
   const canvas = document.createElement("canvas");
@@ -11,7 +12,7 @@ export function makeCanvas(holder) {
   let pieces = null;
   let background = "";
   let order = new Uint32Array(0);
-  let keys = new Uint32Array(0);
+  let keys = new Uint16Array(0);
 
   // The colour of a piece, in few enough levels.
   function keyOf(k) {
@@ -39,9 +40,16 @@ export function makeCanvas(holder) {
     },
     take(taken) {
       pieces = taken;
-      keys = Uint32Array.from({ length: pieces.count }, (_, k) => keyOf(k));
-      order = Uint32Array.from({ length: pieces.count }, (_, k) => k)
-        .sort((a, b) => keys[a] - keys[b]);
+      const { count } = pieces;
+      keys = new Uint16Array(count);
+      const begins = new Uint32Array(KEYS + 1);
+      for (let k = 0; k < count; k++) {
+        keys[k] = keyOf(k);
+        begins[keys[k] + 1]++;
+      }
+      for (let key = 0; key < KEYS; key++) begins[key + 1] += begins[key];
+      order = new Uint32Array(count);
+      for (let k = 0; k < count; k++) order[begins[keys[k]]++] = k;
     },
     // m: the matrix of the camera, column by column.
     draw(camera, m) {

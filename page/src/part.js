@@ -6,10 +6,15 @@ import { makeStock } from "./stock.js";
 
 const CUTTER = 6; // where no table tells a tool's diameter [mm]
 
-// parts: {box, cutter, view, over}, elements of the page. Returns show and now; null: nothing is
+// Whether there is something between the top of the stock and the lowest cut.
+function cutsOff({ stock, lathe }, { least, most }) {
+  return lathe || Math.max(stock.work_z, most[2]) > least[2] + 1e-4;
+}
+
+// parts: {cutter, view, over}, elements of the page. Returns show and now; null: nothing is
 // cut off here.
 export function makePart({ cutter, view, over }, facts, model, scene) {
-  if (!facts.stock) return null;
+  if (!facts.stock || !cutsOff(facts, scene.bounds)) return null;
   const { tools } = facts.stock;
   const cutterOf = (tool) => ({ length: 0, diameter: Number(cutter.value) || CUTTER,
     ...tools[tool] });
@@ -34,14 +39,13 @@ export function makePart({ cutter, view, over }, facts, model, scene) {
     state.stock = makeStock(facts, model, cutterOf);
     scene.later(false);
   });
-  if (!makeStock(facts, model, cutterOf)) return null;
   return {
     state,
     show(isShown) {
       state.isShown = isShown;
       state.stock ??= makeStock(facts, model, cutterOf);
       paint.canvas.hidden = !isShown;
-      cutter.closest("label").hidden = !isShown || isTold || facts.stock.kind === "lathe";
+      cutter.closest("label").hidden = !isShown || isTold || facts.lathe;
       scene.later(false);
     },
     // There is stock around the path, of a lathe on the other side of its axis, too.

@@ -122,10 +122,6 @@ function lathe(model) {
   return { kind: "lathe", radii, size, low: least[2], stock, to: travel(radii, cut, model) };
 }
 
-// null: nothing that a mill or a lathe would cut off.
 export function makeStock(facts, model, cutterOf) {
-  if (!facts.stock) return null;
-  if (facts.stock.kind === "lathe") return lathe(model);
-  const found = mill(model, cutterOf, facts.stock.work_z);
-  return found.top > found.deepest + CUT ? found : null;
+  return facts.lathe ? lathe(model) : mill(model, cutterOf, facts.stock.work_z);
 }
