@@ -74,6 +74,7 @@ static const setting_t settings[] = {
     LIST(start_nm, INTEGER),
     TABLE(home_nm, INTEGER),
     ONE(home_more, WORD),
+    ONE(roams, WORD),
     TABLE(work_nm, INTEGER),
     ONE(work_system, WORD),
     ONE(tool_count, WORD),

@@ -138,7 +138,11 @@
 #define NCK_HAS_CONTOUR (NCK_HAS_CYCLES && NCK_CONTOUR > 0)
 // Whether it has threads and taps, which are cycles' kin; words of lathes; those that one control
 // has alone.
-#define NCK_HAS_THREADS (NCK_LANGUAGE > 3 && NCK_HAS_CYCLES)
+#if NCK_LANGUAGE > 3 && NCK_HAS_CYCLES
+#define NCK_HAS_THREADS 1
+#else
+#define NCK_HAS_THREADS 0
+#endif
 #define NCK_HAS_LATHE (NCK_LANGUAGE > 2)
 #define NCK_HAS_FOREIGN (NCK_LANGUAGE > 1)
 

@@ -185,6 +185,7 @@ typedef struct nck_machine {
                              // 0: all of it
     uint32_t slope;          // nck_slope_kind_t
     uint32_t kinematics;     // nck_kinematics_t
+    uint32_t roams;          // 1: nothing is held against the travel
 
     struct {
         uint32_t base;       // nck_dialect_t
@@ -225,7 +226,6 @@ typedef struct nck_machine {
     uint32_t work_system;                         // in force at start, 0 = G54
     uint32_t tool_count;
     nck_tool_t tool[NCK_TOOL_MAX];
-    uint32_t roams;                               // 1: nothing is held against the travel
     uint32_t home_more;                           // bit 0: home_nm has one of P3, bit 1: of P4
     uint32_t own_m_count;
     nck_own_m_t own_m[NCK_OWN_M_MAX];

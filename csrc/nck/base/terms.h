@@ -12,7 +12,6 @@ typedef struct nck_terms {
     const nck_machine_t *machine; // whose terms they are
     uint8_t limits_jerk; // 1: the slope keeps to limits of jerk
     uint8_t limits_path; // 1: the path has limits of its own, before those of its axes
-    uint8_t overlaps;    // 1: a motion may begin before the one that leads to its rest has ended
     uint8_t taps;        // the tick hands out the mean of so many periods; 1: no filter
     uint8_t axes;        // the machine's are among the first so many; the others never move
     double j_max;        // the most jerk along a path that a plan asks for [path mm/s³]
@@ -22,7 +21,8 @@ typedef struct nck_terms {
     double knot_s;       // how long an interval of a clocked path lasts by its clock [s]; 0: there
                          // are none
     double knot_p;       // the least tolerance that such intervals are short enough for [mm]
-    double ride_s;       // for how long two motions may overlap: by what the cells' ring holds [s]
+    double ride_s;       // for how long two motions may overlap: by what the cells' ring holds [s];
+                         // 0: never
 } nck_terms_t;
 
 #endif

@@ -274,7 +274,7 @@ static double overlap_of(const corner_t *corner, double half_s, nck_corner_stop_
     const nck_terms_t *const terms = corner->terms;
     const nck_overlap_t motions = {corner->in, corner->out,
                                    {corner->ramp[0].j, corner->ramp[1].j}, {0.0, 0.0}};
-    if (!terms->overlaps || !corner->are_lines || !(corner->turn > 0.0)) return 0.0;
+    if (!(terms->ride_s > 0.0) || !corner->are_lines || !(corner->turn > 0.0)) return 0.0;
     const double widest = nck_min(corner->half[0], corner->half[1]) / SPREAD;
     double d = distance_within(corner, widest, stop_out);
     const double load = nck_overlap_load(terms->machine, terms->axes, &motions);

@@ -113,13 +113,12 @@ void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     const double period = machine->period_s;
     const double filter = (double)NCK_FILTER_TAPS * period;
     const uint8_t axes = axes_of(machine);
-    const nck_terms_t linear = {machine, 0, 0, 0, 1, axes, machine->path.j_max, 0.0, 0.0, period,
+    const nck_terms_t linear = {machine, 0, 0, 1, axes, machine->path.j_max, 0.0, 0.0, period,
                                 0.0, 0.0, 0.0};
     *terms_out = linear;
     if (!NCK_HAS_JERK || machine->slope == NCK_SLOPE_LINEAR) return;
     terms_out->limits_jerk = 1;
     terms_out->limits_path = (uint8_t)path_binds(machine, axes);
-    terms_out->overlaps = NCK_HAS_OVERLAP;
     terms_out->taps = NCK_FILTER_TAPS;
     terms_out->j_max = jerk_along(machine, axes, filter);
     terms_out->mix_s = 0.5 * filter;
