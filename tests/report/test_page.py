@@ -232,7 +232,7 @@ def test_over_the_path_the_moment_stays(visit):
     visit.page.click("#whole")
     visit.page.click(".row[data-line='5'] code")
     before = now(visit)
-    visit.page.click("[data-name=path]")
+    visit.page.click("#across [data-name=path]")
     visit.settle()
     end = visit.ask("report.curves.plots[0].plot.scales.x.max")
     assert end == pytest.approx(visit.ask("report.facts.length_mm"))
