@@ -172,8 +172,8 @@ static void land(nck_interpolate_t *self) {
 }
 
 static int cuts_thread(const nck_interpolate_t *self) {
-    return NCK_HAS_THREADS && self->cell.length == 0.0
-           && seg_at(self, self->cell.seg)->kind >= NCK_SEG_THREAD;
+    if (!NCK_HAS_THREADS) return 0;
+    return self->cell.length == 0.0 && seg_at(self, self->cell.seg)->kind >= NCK_SEG_THREAD;
 }
 
 // Behind a pass that was stopped nothing can follow: the tick waits, for another program.
