@@ -66,64 +66,6 @@ int serve_beside(serve_t *self, uint32_t event, double value) {
     return self->beside ? self->beside(self, event, value) : 0;
 }
 
-// ---- what is received
-
-// A letter outside of ASCII counts for nothing, though its later bytes look like signals.
-static int is_of_letter(serve_t *self, uint8_t byte) {
-    if (byte >= 0xc2 && byte <= 0xf4) {
-        self->in.rest = byte < 0xe0 ? 1 : byte < 0xf0 ? 2 : 3;
-        return 1;
-    }
-    const int continues = self->in.rest > 0 && byte >= 0x80 && byte <= 0xbf;
-    self->in.rest = continues ? self->in.rest - 1 : 0;
-    return continues;
-}
-
-static int is_urgent(uint8_t byte) {
-    return byte == '!' || byte == 0x18 || byte == 0x84 || byte == 0x85;
-}
-
-static int is_signal(uint8_t byte) {
-    const int overrides = byte >= 0x90 && byte <= 0x9d;
-    return is_urgent(byte) || byte == '?' || byte == '~' || overrides || byte == 0xa0
-           || byte == 0xa1;
-}
-
-// A quarter of the room is for what stops.
-static void put_signal(serve_t *self, uint8_t byte) {
-    const uint32_t head = self->in.signal_head;
-    const uint32_t used = head - nck_fence_load(&self->in.signal_tail);
-    const uint32_t room = is_urgent(byte) ? SERVE_SIGNALS : SERVE_SIGNALS * 3 / 4;
-    if (used >= room) return;
-    self->signal[head & (SERVE_SIGNALS - 1)] = byte;
-    nck_fence_store(&self->in.signal_head, head + 1);
-}
-
-int serve_has_room(const serve_t *self) {
-    return self->in.head - nck_fence_load(&self->in.tail) < SERVE_RING - 1;
-}
-
-int serve_hear(serve_t *self, uint8_t byte) {
-    if (is_of_letter(self, byte)) return 1;
-    if (!is_signal(byte)) return byte >= 0x80;
-    put_signal(self, byte);
-    return 1;
-}
-
-void serve_put(serve_t *self, uint8_t byte) {
-    if (!serve_has_room(self)) {
-        nck_fence_store(&self->in.lost, 1);
-        return;
-    }
-    self->ring[self->in.head & (SERVE_RING - 1)] = (char)byte;
-    nck_fence_store(&self->in.head, self->in.head + 1);
-}
-
-void serve_receive(serve_t *self, uint8_t byte) {
-    if (serve_hear(self, byte)) return;
-    serve_put(self, byte);
-}
-
 // ---- signals
 
 int serve_is_idle(const serve_t *self) {

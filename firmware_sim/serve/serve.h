@@ -112,6 +112,7 @@ typedef struct serve {
         uint32_t signal_head, signal_tail;
         uint32_t lost;           // 1: a byte found no room
         uint32_t rest;           // bytes of a UTF-8 letter still to be dropped
+        uint32_t control;        // 1: it begins with C2
     } in;
 
     struct {                     // written by the tick

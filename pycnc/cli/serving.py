@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: MIT
 """The verb ``serve``: a machine for programs that speak grbl's protocol."""
 
+import contextlib
 import signal
 import sys
+from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from pycnc.cli.door import app, machine_of, verb
 from pycnc.cli.options import Dialect, DialectName, MachineName, Quiet, Set, SlopeName, Tools
-from pycnc.cli.words import GOOD, USAGE, fail
+from pycnc.cli.words import GOOD, USAGE, Refused, fail
 from pycnc.names import DEFAULT
 
 _PORT = 8023
@@ -31,6 +33,8 @@ def serve(
         "--save", help="Keep changed settings and offsets in the machine file.")] = False,
     page: Annotated[int | None, typer.Option(
         metavar="PORT", min=0, max=65535, help="A page that shows it, for a browser here.")] = None,
+    record: Annotated[Path | None, typer.Option(
+        metavar="FILE", help="Write what comes and goes, as text.")] = None,
     dialect: DialectName = None, slope: SlopeName = None, set: Set = None, tools: Tools = None,
     quiet: Quiet = False,
 ):  # fmt: skip
@@ -42,16 +46,22 @@ def serve(
         return USAGE
     mill = machine_of(machine, set, tools, dialect or Dialect.grbl, slope=slope, quiet=quiet)
     line = serving.Tcp(_PORT if tcp is None else tcp, listen) if pty is None else serving.Pty(pty)
-    try:
-        server = serving.Server(mill, line, time_scale, save, page)
+    with contextlib.ExitStack() as files, contextlib.closing(line):
+        file = None if record is None else files.enter_context(_opened(record))
+        server = serving.Server(mill, line, time_scale, saves=save, page=page, record=file)
         if not quiet:
             print(f"{mill.name} at {line.name}; Ctrl-C ends it", file=sys.stderr, flush=True)
             if server.page:
                 print(f"page: {server.page.address}", file=sys.stderr, flush=True)
         _serve(server, quiet)
-    finally:
-        line.close()
     return GOOD
+
+
+def _opened(path):
+    try:
+        return path.open("w", encoding="utf-8")
+    except OSError as cause:
+        raise Refused(f"{path}: error[file]: {cause.strerror}; name another --record") from None
 
 
 def _serve(server, quiet):
@@ -62,7 +72,7 @@ def _serve(server, quiet):
             server.step()
             _tell(server.keeper, quiet)
     except KeyboardInterrupt:
-        server.keeper.end()
+        server.end()
         _tell(server.keeper, quiet)
 
 

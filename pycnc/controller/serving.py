@@ -11,6 +11,7 @@ from pathlib import Path
 from pycnc import errors
 from pycnc.controller.keeping import Keeper
 from pycnc.controller.page import Page
+from pycnc.controller.recording import Recorded
 from pycnc.kernel.session import Session
 
 PASS_S = 0.002  # between two looks at the clock
@@ -169,10 +170,13 @@ class Server:
         What is changed is kept in the machine's file.
     page : int, optional
         Port of a page that shows the machine.
+    record : object, optional
+        A text file that is open for writing, for what comes and goes.
     """
 
-    def __init__(self, machine, line, scale=1.0, saves=False, page=None):
-        self.session, self._line, self._scale = Session(machine), line, scale
+    def __init__(self, machine, line, scale=1.0, *, saves=False, page=None, record=None):
+        self.session = Session(machine) if record is None else Recorded(machine, record)
+        self._line, self._scale = line, scale
         self.keeper = Keeper(self.session, machine, saves)
         self.page = None if page is None else Page(self.session, machine.name, page)
         self._period_s = machine.period_s
@@ -196,6 +200,13 @@ class Server:
         self.keeper.look()
         if self.page:
             self.page.look()
+
+    def end(self):
+        """The machine is switched off."""
+        self.keeper.end()
+        self.session.end()
+        if self.page:
+            self.page.close()
 
     def _hear(self):
         data = self._line.read(BACKLOG - len(self._waiting))

@@ -126,6 +126,9 @@ class Session:
         """Return what a person wants to see of the machine: numbers and texts."""
         return kept.shown(self._nck, self._host) | {"switches": self._machine.switches is not None}
 
+    def end(self):
+        """Nothing comes any more."""
+
     @property
     def rests(self):
         """Tell whether nothing is under way, so that settings are what they will stay."""

@@ -6,7 +6,8 @@
     python tests/controller/serving_runs.py bytes COUNT [FIRST]     bytes at random
 
 A session in a file is text, a step a line: ``> G1 X5`` sends a line, ``= 18`` bytes in hexadecimal,
-``. 200`` lets ticks pass; ``< ok`` is what is said next, where … stands for anything.
+``. 200`` lets ticks pass; ``< ok`` is what is said next, where … stands for anything. What
+``pycnc serve --record`` writes is one, too (pycnc/controller/recording.py).
 """
 
 import random
@@ -109,6 +110,12 @@ class Talk:
             raise Broken(f"{self.session.speed_most} of an axis' speed")
 
 
+EVENTS = {
+    "+": lambda session: session.join(), "-": lambda session: session.part(),
+    "*": lambda session, name, pushed: session.push(name, pushed == "1"),
+}  # fmt: skip
+
+
 def play(text, machine=None):
     """Play a session in text; raise Broken with its line where it is not as written."""
     talk = Talk(machine)
@@ -119,7 +126,10 @@ def play(text, machine=None):
         elif kind == "=":
             talk.send(bytes.fromhex(rest))
         elif kind == ".":
-            talk.wait(int(rest))
+            for ticks in rest.split():
+                talk.wait(int(ticks))
+        elif kind in EVENTS:
+            EVENTS[kind](talk.session, *rest.split())
         elif kind == "<":
             said = talk.next() if talk.comes() else "nothing"
             if not re.fullmatch(".*".join(map(re.escape, rest.split("…"))), said):
