@@ -22,7 +22,7 @@ LEAN = {"test_decode_motion", "test_interpolate", "test_left_out", "test_link"}
 LEAN_PROGRAMS = ("tests_lean_linear", "tests_lean_jerk")
 SANITIZED = "clang-19"
 SUFFIXES = ("", "_small")  # of names, for the sets of capacities
-FUZZED = ("decode", "kernel")
+FUZZED = ("decode", "kernel", "serve")
 LIBRARIES = ("firmware_sim/app/libapp.a", "libsim.a", "libnck_host.a", "firmware_sim/libos.a",
              "firmware_sim/app/libhal_switches.a", "libnck.a")  # fmt: skip
 SMALL_ALWAYS = ("base", "kernel")  # whose rings wrap and fill where they are short

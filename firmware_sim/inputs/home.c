@@ -20,8 +20,13 @@ static int64_t counts_of(const inputs_t *self, int axis, double way) {
     return (int64_t)(way * nck_machine_counts(nck_machine_of(self->nck), axis) + 0.5);
 }
 
+static int is_pair(const inputs_t *self) { return (int)self->set.pair == axis_of(self) + 1; }
+
+// The switch of the axis, or one of a pair's.
 static int is_closed(const inputs_t *self) {
-    return (nck_fence_load(&self->pins) >> (HAL_IN_HOME + axis_of(self)) & 1u) != 0;
+    const uint32_t pins = nck_fence_load(&self->pins);
+    const uint32_t second = is_pair(self) ? pins >> HAL_IN_SECOND : 0u;
+    return ((pins >> (HAL_IN_HOME + axis_of(self)) | second) & 1u) != 0;
 }
 
 // Where a leg begins and ends, of the machine.
@@ -105,7 +110,11 @@ static void give(inputs_t *self) {
                       / nck_machine_counts(nck_machine_of(self->nck), x);
     if (nck_leave_nothing(self->nck) != NCK_OK) return;
     if (nck_push_block(self->nck, &block) != NCK_OK) return;
-    if (seeks(self)) nck_fence_store(&self->watched, 1u << (HAL_IN_HOME + x));
+    if (seeks(self)) {
+        nck_fence_store(&self->racked, 0);
+        nck_fence_store(&self->squares, (uint32_t)is_pair(self));
+        nck_fence_store(&self->watched, 1u << (HAL_IN_HOME + x));
+    }
     nck_flush(self->nck);
     self->home.phase = INPUTS_MOVES;
 }
@@ -136,7 +145,9 @@ static void move(inputs_t *self, int rests) {
     }
     if (nck_fence_load(&self->halt.periods) == 0) return;
     measure(self);
-    if (inputs_go_on(self) == NCK_OK) end_move(self, 1);
+    if (inputs_go_on(self) != NCK_OK) return;
+    if (nck_fence_load(&self->racked)) self->home.result = INPUTS_RACKED;
+    else end_move(self, 1);
 }
 
 // The axis is off its switch, which must have opened.
@@ -154,6 +165,8 @@ static void wait(inputs_t *self) {
 
 void inputs_give_up(inputs_t *self) {
     self->home.result = INPUTS_NOT;
+    nck_fence_store(&self->squares, 0);
+    nck_fence_store(&self->held, 0);
     inputs_watch(self, 0, 0);
 }
 

@@ -20,6 +20,9 @@ typedef struct inputs_set {
     uint32_t reverse;    // bit k: axis k has its home switch at the least end, else at the most
     uint32_t order;      // axes in the order of homing, four bits each, lowest first: axis + 1
     uint32_t debounce;   // ticks in which a switch does not change, before it is believed open
+    uint32_t pair;       // the axis that two motors drive, + 1, the second one's home switch being
+                         // HAL_IN_SECOND; 0: none
+    double skew;         // by which one of them may go on alone [mm]
     double feed, seek;   // slow and fast approach [mm/min, deg/min]
     double pull_off;     // from the switch [mm, deg]
 } inputs_set_t;
@@ -30,7 +33,8 @@ typedef enum inputs_result {
     INPUTS_GOES = 1,
     INPUTS_DONE = 2,   // the axes stand pull_off in front of their ends
     INPUTS_STUCK = 3,  // a switch has not opened
-    INPUTS_MISSED = 4  // no switch was found
+    INPUTS_MISSED = 4, // no switch was found
+    INPUTS_RACKED = 5  // the second switch of a pair was not found
 } inputs_result_t;
 
 // A leg of an axis' homing, in their order.
@@ -64,6 +68,12 @@ typedef struct inputs {
     uint32_t steady;       // ticks since one of them changed
     uint32_t tripped;      // inputs that have stopped the axes; prep takes them back at rest
 
+    uint32_t squares;      // 1: the axis of the pair goes to its switches; prep
+    uint32_t held;         // bit 0: the pair's first motor stays, at its switch, bit 1: the second;
+                           // for pulse_hold; the tick writes
+    uint32_t racked;       // 1: one has gone on alone too far; the tick writes
+    double alone_from;     // where the other one has come to its switch; tick
+
     uint32_t probed;       // 1: the last probe has touched, …
     double probe_at[NCK_AXIS_MAX]; // there, or it has ended there [mm, deg]; prep
 
@@ -95,7 +105,7 @@ nck_status_t inputs_go_on(inputs_t *self);
 nck_status_t inputs_home(inputs_t *self);
 
 // Behind each nck_prep while homing: rests is 1 where all that was pushed is executed and the axes
-// stand. Returns inputs_result_t; the last three once. Cost: constant. Context: prep.
+// stand. Returns inputs_result_t; the last four once. Cost: constant. Context: prep.
 inputs_result_t inputs_step(inputs_t *self, int rests);
 
 // End homing: what is under way is stopped by who asks for it. Cost: constant. Context: prep.

@@ -7,10 +7,10 @@
 #include "nck/base/fence.h" // nck_fence_load
 #include "serve/parts.h"
 
-// Numbers of grbl's alarms; the last is grblHAL's.
+// Numbers of grbl's alarms; the last two are grblHAL's.
 typedef enum alarm {
     ALARM_LIMIT = 1, ALARM_PROBE_BEFORE = 4, ALARM_PROBE_MISSED = 5, ALARM_BROKEN_OFF = 6,
-    ALARM_STUCK = 8, ALARM_NO_SWITCH = 9, ALARM_EMERGENCY = 10
+    ALARM_STUCK = 8, ALARM_NO_SWITCH = 9, ALARM_EMERGENCY = 10, ALARM_RACKED = 15
 } alarm_t;
 
 enum {
@@ -88,8 +88,11 @@ static int begin_home(serve_t *self) {
 static void go_home(serve_t *self) {
     const inputs_result_t result = inputs_step(self->inputs, serve_is_idle(self));
     if (result == INPUTS_GOES) return;
+    static const uint8_t alarms[] = {[INPUTS_STUCK] = ALARM_STUCK,
+                                     [INPUTS_MISSED] = ALARM_NO_SWITCH,
+                                     [INPUTS_RACKED] = ALARM_RACKED};
     if (result == INPUTS_DONE) self->locked = 0;
-    else alarm(self, result == INPUTS_STUCK ? ALARM_STUCK : ALARM_NO_SWITCH);
+    else alarm(self, (alarm_t)alarms[result]);
     nck_set_override(self->nck, self->feed * NCK_PERCENT, self->rapid * NCK_PERCENT);
     serve_answer(self);
 }

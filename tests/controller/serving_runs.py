@@ -4,6 +4,7 @@
     python tests/controller/serving_runs.py streams COUNT [FIRST]   random programs, streamed
     python tests/controller/serving_runs.py jogs COUNT [FIRST]      jogs, cancelled at any moment
     python tests/controller/serving_runs.py bytes COUNT [FIRST]     bytes at random
+    python tests/controller/serving_runs.py brakes COUNT [FIRST]    holds at any moment
 
 A session in a file is text, a step a line: ``> G1 X5`` sends a line, ``= 18`` bytes in hexadecimal,
 ``. 200`` lets ticks pass; ``< ok`` is what is said next, where … stands for anything. What
@@ -320,7 +321,35 @@ def bytes_at_random(seed):
     talk.check()
 
 
-SEARCHES = {"streams": streams, "jogs": jogs, "bytes": bytes_at_random}
+BRAKE_MOST_S = 0.015  # from ! to the first tick that is slower
+
+
+def brakes(seed):
+    """Hold at a random moment: the tool is slower within 15 ms, and rests on its path."""
+    draw, talk = random.Random(seed), Talk()
+    feed = draw.uniform(300, 6000)
+    way = f"X{draw.uniform(60, 200):.2f}Y{draw.uniform(-80, 80):.2f}"
+    talk.send(f"G21G91G1{way}F{feed:.0f}\n".encode())
+    talk.wait(draw.randint(400, 600))
+    before = talk.session.shown()["speed"]
+    talk.send(HOLD)
+    for ticks in range(1, 200):
+        talk.wait(1)
+        now = talk.session.shown()["speed"]
+        if now < before * (1 - 1e-9):
+            break
+        before = now
+    if ticks * 1e-3 > BRAKE_MOST_S:
+        raise Broken(f"braking began {ticks} ms behind !")
+    talk.wait(2000)
+    if not talk.status()["state"].startswith("Hold:0"):
+        raise Broken("held, and not at rest")
+    talk.settle()
+    talk.check()
+    return ticks
+
+
+SEARCHES = {"streams": streams, "jogs": jogs, "bytes": bytes_at_random, "brakes": brakes}
 
 
 def main(searches):

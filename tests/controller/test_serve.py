@@ -33,6 +33,12 @@ def test_a_jog_that_is_cancelled_rests_where_its_report_says(seed):
     serving_runs.jogs(seed)
 
 
+@pytest.mark.sample(4, quick=1)
+@pytest.mark.parametrize("seed", range(1, 101))
+def test_a_hold_brakes_within_15_ms(seed):
+    serving_runs.brakes(seed)
+
+
 @pytest.mark.sample(10, quick=3)
 @pytest.mark.parametrize("seed", range(1, 501))
 def test_noise_breaks_nothing(seed):

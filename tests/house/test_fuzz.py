@@ -11,8 +11,9 @@ FUZZ = Path(__file__).resolve().parent / "fuzz"
 RUNS = {  # inputs of the suite, and of the campaign, in each set of capacities
     "decode": {"suite": 10_000, "whole": 100_000},
     "kernel": {"suite": 250, "whole": 5_000},
+    "serve": {"suite": 100, "whole": 2_000},
 }
-FUZZ_FLAGS = {"kernel": ["-len_control=0", "-max_len=600"]}  # long inputs at once
+FUZZ_FLAGS = dict.fromkeys(("kernel", "serve"), ["-len_control=0", "-max_len=600"])  # long at once
 
 
 @pytest.mark.thorough
