@@ -64,6 +64,7 @@ PARTS = {
                 "build/gcc/tests_kernel test_stop 20000 {seed}"],
     "serve": ["build/gcc/tests_controller test_pulse 2000 {seed}",
               "build/gcc/tests_controller test_square 2000 {seed}",
+              "build/gcc/tests_controller test_drive 1000 {seed}",
               "tests/controller/switching_runs.py homes 1000 {seed}",
               "tests/controller/switching_runs.py probes 1000 {seed}",
               "tests/controller/switching_runs.py limits 1000 {seed}",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What pulses of three motors cost on two cores, in instructions; docs/size.md has it."""
+"""What pulses and drives cost on two cores, in instructions; docs/size.md has it."""
 
 import re
 
@@ -10,21 +10,23 @@ pytestmark = pytest.mark.thorough
 SLACK = 0.05
 
 
+@pytest.mark.parametrize("image", ["pulses", "drives"])
 @pytest.mark.parametrize("core", ["m4f", "m7"])
-def test_the_page_tells_what_a_pulse_costs(core, root, tool, tmp_path):
+def test_the_page_tells_what_they_cost(core, image, root, tool, tmp_path):
     tool("arm-none-eabi-gcc")
     tool("qemu-system-arm")
     import targets
 
-    targets.build(core, "pulses")
-    image = targets.build(core) / "pulses.elf"
-    targets.emulate(core, image, counts=tmp_path / "counts", folder=tmp_path)
+    targets.build(core, image)
+    program = targets.build(core) / f"{image}.elf"
+    targets.emulate(core, program, counts=tmp_path / "counts", folder=tmp_path)
     found = {}
     for line in (tmp_path / "counts").read_text(encoding="utf-8").splitlines():
         name, runs, total, most = line.split()
         found[name] = int(most), int(total) / int(runs)
     page = (root / "docs" / "size.md").read_text(encoding="utf-8")
-    row = re.search(rf"^\| {core} \|(.*)\|$", page, re.M)
+    table = page.partition(f"## What {image} cost")[2]
+    row = re.search(rf"^\| {core} \|(.*)\|$", table, re.M)
     numbers = [*found["tick"], *found["prep"]]
     assert row, numbers
     for told, now in zip(row[1].split("|"), numbers, strict=True):

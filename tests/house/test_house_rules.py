@@ -89,6 +89,7 @@ MAY_INCLUDE = {
     "firmware_sim/moving/": ("moving/", "inputs/inputs.h", *DOORS, "pulse/pulse.h",
                              "serve/serve.h", "hal/input.h"),
     "firmware_sim/pulse/": ("pulse/", "nck/base/"),
+    "firmware_sim/drive/": ("drive/", "nck/base/"),
     "firmware_sim/inputs/": ("inputs/", "hal/input.h", *DOORS, "nck/base/fence.h"),
     "firmware_sim/host_serve": ("host_s", "inputs/inputs.h", "serve/serve.h", *DOORS),
     "firmware_sim/host_switches": ("host_s", "hal/input.h", *DOORS),
@@ -99,7 +100,7 @@ MAY_INCLUDE = {
                  "os/", "board/", "app/", "hal/", "pulse/", "drive/", "soft_double/"),
     "tests/house/fuzz/": ("nck/", "host/", "sim.h", "host_serve.h"),
     "tests/qemu/": ("nck/nck_tools.h", "nck/base/link.h", "board/", "mark.h", "traffic.h",
-                    "pulse/"),
+                    "pulse/", "drive/"),
     "tests/package/project/": ("nck/nck.h", "nck/nck_memory.h", "host/"),
 }
 PYCNC = [name for name in PYTHON_FILES if name.startswith("pycnc/")]
