@@ -41,3 +41,10 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/csrc/nck" DESTINATION pycnc/csrc
         FILES_MATCHING PATTERN "limits.h" PATTERN "real.h" PATTERN "records.h" PATTERN "*_math.h")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/csrc/host" DESTINATION pycnc/csrc
         FILES_MATCHING PATTERN "unit.h" PATTERN "*_math.h")
+
+# What a wheel is made of and needs, for whoever has to account for it (PEP 770).
+if(SKBUILD_METADATA_DIR)
+    configure_file(cmake/sbom.cdx.json.in sbom/pycnc.cdx.json @ONLY)
+    install(FILES "${CMAKE_CURRENT_BINARY_DIR}/sbom/pycnc.cdx.json"
+            DESTINATION "${SKBUILD_METADATA_DIR}/sboms")
+endif()
