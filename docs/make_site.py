@@ -19,7 +19,8 @@ HEADERS = ("nck/nck.h", "nck/nck_session.h", "nck/nck_tools.h", "nck/base/machin
            "nck/base/records.h", "nck/base/status.h", "nck/base/limits.h", "host/host.h",
            "host/why.h", "host/trail.h")  # fmt: skip
 SECTIONS = {
-    "Begin": ("README", "docs/my_machine", "docs/commands", "docs/report", "docs/why"),
+    "Begin": ("README", "docs/my_machine", "docs/commands", "docs/report", "docs/why",
+              "docs/journeys"),
     "Reference": ("docs/machine", "docs/diagnostics", "docs/json", "docs/trace", "docs/python",
                   "api_python", "api_c"),
     "Programs": ("docs/cycles", "docs/lathe"),
