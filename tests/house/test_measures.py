@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: MIT
+"""The figures of the house get no worse; measures.py prints them."""
+
+import measures
+import pytest
+
+LISTED = {"Python: functions beyond complexity 12": 24}
+
+
+@pytest.fixture(scope="module")
+def told():
+    return dict(measures.figures())
+
+
+def test_no_part_needs_one_that_needs_it(told):
+    graphs = {what: figure for what, figure in told.items() if "arrows back" in what}
+    assert len(graphs) == 5
+    assert {what: figure for what, figure in graphs.items() if not figure.endswith("/ 0")} == {}
+
+
+def test_a_ring_has_arrows_back_and_shares_a_floor():
+    ring = {"a": {"b"}, "b": {"c"}, "c": {"b"}, "d": {"a"}}
+    assert measures.floors(ring) == (3, 2)
+    assert measures.floors(ring | {"c": set()}) == (4, 0)
+
+
+def test_the_door_is_small_and_told(told):
+    functions = told["nck.h: functions / lines behind the preprocessor"].partition(" ")[0]
+    assert int(functions) <= 24
+    assert told["nck.h: documented each by itself"] == "100%"
+
+
+def test_functions_of_python_take_little_and_do_little(told):
+    assert told["Python: functions with more than 6 parameters"] == "0"
+    for what, most in LISTED.items():
+        assert int(told[what]) <= most, measures.broken(measures.tangled)
