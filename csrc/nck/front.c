@@ -185,6 +185,14 @@ nck_status_t nck_leave_nothing(nck_t *nck) {
 
 void nck_check_only(nck_t *nck, uint32_t on) { nck->wire.checks = on != 0; }
 
+nck_status_t nck_set_switches(nck_t *nck, uint32_t skips, uint32_t stops) {
+    if (skips >> 10 != 0 || stops > 1) return NCK_E_ARGUMENT;
+    nck->machine.dialect.block_skip = skips & 1u;
+    nck->machine.dialect.skip_switches = skips & ~1u;
+    nck->machine.dialect.optional_stop = (uint8_t)stops;
+    return NCK_OK;
+}
+
 void nck_name_line(nck_t *nck, uint32_t name) { nck_decode_name_line(&nck->decode, name); }
 
 // Nothing is under way in any room, and the link is both sides'.

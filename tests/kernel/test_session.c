@@ -282,6 +282,35 @@ static void what_is_executed_is_counted(check_t *check)
     CHECK_INT(check, front.line[front.lines - 1], 7003);
 }
 
+// A switch is for what is read from then on: lines with /, /2 and M1.
+static void switches_hold_for_lines_to_come(check_t *check)
+{
+    begin(&front, &before, NCK_SLOPE_JERK);
+    line(&front, "G91 G1 X1 F6000");
+    line(&front, "/X2");
+    CHECK_INT(check, nck_set_switches(&front.nck, 1u << 2, 0), NCK_OK);
+    line(&front, "/X4");
+    line(&front, "/2X8");
+    CHECK_INT(check, nck_set_switches(&front.nck, 1u, 0), NCK_OK);
+    line(&front, "/X16");
+    CHECK_INT(check, nck_set_switches(&front.nck, 1u << 10, 0), NCK_E_ARGUMENT);
+    CHECK_INT(check, nck_set_switches(&front.nck, 0, 2), NCK_E_ARGUMENT);
+    line(&front, "/X32");
+    line(&front, "M1");
+    nck_flush(&front.nck);
+    front_rest(&front);
+    CHECK_NEAR(check, front_x(&front), 7.0, 1e-9);
+    CHECK_INT(check, nck_set_switches(&front.nck, 0, 1), NCK_OK);
+    line(&front, "/M1");
+    line(&front, "X1");
+    nck_flush(&front.nck);
+    for (int n = 0; n < 3000; n++) front_tick(&front);
+    CHECK_NEAR(check, front_x(&front), 7.0, 1e-9);
+    nck_resume(&front.nck);
+    front_rest(&front);
+    CHECK_NEAR(check, front_x(&front), 8.0, 1e-9);
+}
+
 int main(int argc, char **argv)
 {
     check_t check = {0};
@@ -295,5 +324,6 @@ int main(int argc, char **argv)
     CHECK_RUN(&check, it_goes_on_in_the_same_modes);
     CHECK_RUN(&check, the_axes_can_be_told_to_stand_elsewhere);
     CHECK_RUN(&check, what_is_executed_is_counted);
+    CHECK_RUN(&check, switches_hold_for_lines_to_come);
     return check_end(&check);
 }
