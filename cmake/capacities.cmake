@@ -45,7 +45,7 @@ foreach(name IN ITEMS state/finding state/variables number/bits number/integer n
         tongue/foreign tongue/printer tongue/turning modal/port modal/spindle place/comp
         place/layout place/place place/table place/tool macro/argument macro/call macro/control
         macro/expression macro/jump macro/keep macro/oword macro/sign macro/system motion/corner
-        motion/fillet motion/knots motion/probe motion/spline motion/tap motion/thread
+        motion/fillet motion/knots motion/probe motion/slant motion/spline motion/tap motion/thread
         lathe/contour lathe/follow lathe/level lathe/profile lathe/rough lathe/turn cycle/cycle
         line/block_in entry source)
     list(APPEND NCK_RARE_SOURCES prep/1_decode/${name})

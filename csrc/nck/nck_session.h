@@ -49,11 +49,11 @@ nck_status_t nck_leave_nothing(nck_t *nck);
 // prep.
 void nck_check_only(nck_t *nck, uint32_t on);
 
-// The operator's switches for the lines that nck_prep has not read yet, which is as far ahead of the
-// tick as the window looks; they stay over nck_begin. skips: bit 0, every line that begins with / is
-// skipped; bits 1 … 9, those that begin with /1 … /9, and a / alone is /1. stops: 1, M1 stops. At
-// first they are as the machine's dialect has them. Returns NCK_OK; NCK_E_ARGUMENT if a number is
-// out of range, and nothing is changed. Cost: constant. Context: prep.
+// The operator's switches for the lines that nck_prep has not read yet, which is as far ahead of
+// the tick as the window looks; they stay over nck_begin. skips: bit 0, every line that begins with
+// / is skipped; bits 1 … 9, those that begin with /1 … /9, and a / alone is /1. stops: 1, M1 stops.
+// At first they are as the machine's dialect has them. Returns NCK_OK; NCK_E_ARGUMENT if a number
+// is out of range, and nothing is changed. Cost: constant. Context: prep.
 nck_status_t nck_set_switches(nck_t *nck, uint32_t skips, uint32_t stops);
 
 // What pose, outputs and diagnostics call the next line that is pushed, in place of its number; the

@@ -61,6 +61,28 @@ _POLAR_ZERO = (
 _POLAR_SHARED = ("{found} says where X and Y are, and so does another word", "keep one of both")
 _POLAR_PLANE = ("{found} is a place in the plane of X and Y, and another one is in force",
                 "say G17 before it")  # fmt: skip
+_SLANT = {
+    "word-unused:,": ("{found} is the angle of a line, and no G1 is in force", "say G1 before it"),
+    "incremental:,": (
+        "{found} counts from where the tool is, and another code of its block moves the zero",
+        "put the other code on a line before",
+    ),
+    "layout-on:,": (
+        "{found} cannot be had while coordinates are mirrored, scaled, turned or polar",
+        "end it before: G15, G69, G50, G50.1; or say both axes",
+    ),
+    "word-shared:,": (
+        "{found} and two axes of the plane say where the line ends",
+        "keep two of the three",
+    ),
+    "unsupported:,": (
+        "{found} without an axis asks for the corner of two lines, which is not supported",
+        "say one axis of the plane in each line",
+    ),
+    "number-range:,": (
+        "a line at {found} comes to no such place", "say the other axis of the plane"
+    ),
+}  # fmt: skip
 _POLAR_STEP = (
     "{found} is a step from the program's zero, where no angle is",
     "go away from the zero before, or say G90 with a distance (@) and an angle (^)",
@@ -191,6 +213,7 @@ MOTION = {
         "an arc while its plane is scaled unevenly would be none, and I J K count from its start",
         "give both axes of the plane the same factor; G91.1 (dialect.arc_centre)",
     ),
+    **_SLANT,
     **{f"incremental:{sign}": _POLAR_ZERO for sign in "@^"},
     **{f"word-shared:{sign}": _POLAR_SHARED for sign in "@^"},
     **{f"unsupported:{sign}": _POLAR_PLANE for sign in "@^"},

@@ -199,13 +199,14 @@ static nck_status_t read_word(nck_decode_t *self, const char **at) {
     return NCK_OK;
 }
 
-// ,R and ,C of a language that has them.
+// ,R ,C and ,A of a language that has them.
 static nck_status_t read_corner(nck_decode_t *self, const char **at) {
     const char *const first = *at;
     const char *const word = nck_decode_skip(first + 1);
     const char letter = (char)(*word & ~0x20);
     nck_number_t number;
-    if (!nck_corner_speaks(self) || (letter != 'R' && letter != 'C')) {
+    const int slants = NCK_HAS_LAYOUTS && letter == 'A';
+    if (!nck_corner_speaks(self) || (letter != 'R' && letter != 'C' && !slants)) {
         return fail_character(self, first);
     }
     *at = nck_number_read(self->line.text, word + 1, &number);
@@ -214,6 +215,7 @@ static nck_status_t read_corner(nck_decode_t *self, const char **at) {
         const nck_status_t status = read_value(self, at, &number);
         if (status != NCK_OK) return status;
     }
+    if (slants) return nck_slant_keep(self, column_of(self, word), &number);
     if (self->held.corner.word.letter != 0) {
         return nck_decode_fail(self, NCK_E_WORD_TWICE, column_of(self, word), letter, 0.0, 0.0);
     }

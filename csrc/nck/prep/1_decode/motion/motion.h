@@ -67,10 +67,17 @@ nck_status_t nck_corner_missing(nck_decode_t *self);
 // ---- polar.c
 
 // @ or ^ of RS274NGC; both become words of X and Y; those of the next hole. NCK_E_VALUE,
-// NCK_E_WORD_SHARED, NCK_E_INCREMENTAL, NCK_E_UNSUPPORTED, NCK_E_NUMBER_RANGE. Cost: constant.
+// NCK_E_WORD_SHARED, NCK_E_INCREMENTAL, NCK_E_UNSUPPORTED, NCK_E_NUMBER_RANGE; of ,A also
+// NCK_E_WORD_UNUSED, NCK_E_LAYOUT_ON. Cost: constant.
 nck_status_t nck_polar_read(nck_decode_t *self, const char **at);
 nck_status_t nck_polar_resolve(nck_decode_t *self);
 void nck_polar_next(nck_decode_t *self);
+
+// ---- slant.c
+
+// Fanuc's ,A: the angle that stands in a column, kept until nck_polar_resolve makes it the word of
+// an axis of the plane. NCK_E_WORD_TWICE, NCK_E_NUMBER_RANGE. Cost: constant.
+nck_status_t nck_slant_keep(nck_decode_t *self, unsigned column, const nck_number_t *number);
 
 // ---- thread.c
 

@@ -25,4 +25,11 @@ nck_status_t nck_decode_straight(nck_decode_t *self, nck_block_kind_t kind,
 // NCK_E_CONTOUR_FULL, NCK_E_SCALE_UNIT, and as nck_decode_cycle_fits. Cost: linear in the points.
 nck_status_t nck_decode_knots(nck_decode_t *self);
 
+// ---- slant.c
+
+// The angle of ,A and the axis that is said become the word of the other axis of the plane.
+// NCK_E_WORD_UNUSED, NCK_E_INCREMENTAL, NCK_E_LAYOUT_ON, NCK_E_WORD_SHARED, NCK_E_UNSUPPORTED (no
+// axis is said), NCK_E_NUMBER_RANGE. Cost: constant.
+nck_status_t nck_slant_resolve(nck_decode_t *self);
+
 #endif

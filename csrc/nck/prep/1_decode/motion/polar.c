@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // RS274NGC's polar words: @ is the distance from the program's zero, ^ the angle from X [deg]. They
 // become words of X and Y.
-#include "nck/prep/1_decode/motion/motion.h"
+#include "nck/prep/1_decode/motion/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail nck_decode_fail_at nck_decode_only
 #include "nck/prep/1_decode/number/number.h" // nck_decode_write nck_number_read nck_number_real
 #include "nck/prep/1_decode/place/place.h" // nck_turned_place
@@ -103,6 +103,7 @@ nck_status_t nck_polar_resolve(nck_decode_t *self) {
     if (!NCK_HAS_LAYOUTS) return NCK_E_UNSUPPORTED;
     nck_words_t *const words = &self->words;
     const uint32_t letters = NCK_LETTER('X') | NCK_LETTER('Y');
+    if (words->polars & NCK_POLAR_SLANT) return nck_slant_resolve(self);
     if (words->letters & letters) return fail(self, NCK_E_WORD_SHARED);
     if (words->codes & MOVES_ZERO) return fail(self, NCK_E_INCREMENTAL);
     if (self->modal.plane != FLAT_PLANE) return fail(self, NCK_E_UNSUPPORTED);

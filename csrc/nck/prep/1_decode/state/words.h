@@ -60,6 +60,7 @@ enum { NCK_LETTERS = 26 };
 #define NCK_LETTER(c) ((uint32_t)1 << ((c) - 'A'))
 #define NCK_STEP(k) ((uint32_t)1 << (k))
 
+enum { NCK_POLAR_SLANT = 4 };     // the bit of ,A in nck_words_t's polars
 enum { NCK_CODE_OWN_G = 0x8000 }; // of the codes of NCK_STEP_OWN those of letter G are higher
 
 // Sets of letters.
@@ -89,7 +90,7 @@ typedef struct nck_words {
     double polar_at[2];                   // where @ and ^ lead: [mm], [deg]
     double polar_step[2];                 // what they say
     uint16_t polar_column;                // of the first of them
-    uint8_t polars;                       // bit 0: @, bit 1: ^ stands in the line
+    uint8_t polars;                       // bit 0: @, bit 1: ^, bit 2: ,A stands in the line
     uint8_t rest;                         // nck_rest_t
     uint8_t tail;                         // 1: the line ended in a ; comment
     uint8_t place;                        // of the last I, J or K behind G65 or G66, from 1
