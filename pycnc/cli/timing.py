@@ -158,11 +158,9 @@ def _timed(machine, file, *, plan, backend, by, as_json, override, left, quiet):
         is_asked = {"override": override != 100, "left_s": left is not None}
         return planned.as_dict() | {k: v for k, v in more.items() if is_asked[k]}, GOOD
     tell(program, quiet, sys.stderr)
-    print(_time_line(planned, override))
-    if left:
-        print(f"  left at line {left}: {_duration(rest_s)}")
-    if shown:
-        print("\n".join(_part_lines(planned, shown)))
+    at_line = [f"  left at line {left}: {_duration(rest_s)}"] if left else []
+    parts = _part_lines(planned, shown) if shown else ()
+    print("\n".join([_time_line(planned, override), *at_line, *parts]))
     return planned.totals, GOOD
 
 
@@ -321,6 +319,13 @@ def _words(name):
     return MOTION_WORDS.get(name, name.replace("_", " "))
 
 
+def _part_cells(part, columns, total_s):
+    times = (part[f"{name}_s"] for name in columns)
+    return [_duration(part["time_s"]), f"{part['time_s'] / max(total_s, 1e-9):.1%}",
+            *(_duration(time_s) if time_s > 0 else "" for time_s in times),
+            f"{part['line']:,}"]  # fmt: skip
+
+
 def _part_lines(plan, by):
     """Yield the table of the parts of a program's time."""
     parts, total_s = plan.parts, plan.totals["total_s"]
@@ -329,12 +334,7 @@ def _part_lines(plan, by):
         return
     columns = [name for name in _TIMES if any(part[f"{name}_s"] > 0 for part in shown)]
     heads = ["time", "share", *(name.replace("_", " ") for name in columns), "line"]
-    rows = [
-        [_duration(part["time_s"]), f"{part['time_s'] / max(total_s, 1e-9):.1%}",
-         *(_duration(part[f"{name}_s"]) if part[f"{name}_s"] > 0 else "" for name in columns),
-         f"{part['line']:,}"]
-        for part in shown
-    ]  # fmt: skip
+    rows = [_part_cells(part, columns, total_s) for part in shown]
     widths = [max(map(len, column)) for column in zip(heads, *rows, strict=True)]
     names = [by, *(part["name"] for part in shown)]
     for cells, name in zip([heads, *rows], names, strict=True):

@@ -38,25 +38,24 @@ def drop_stdout():
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
+# What an exception is told as, and its exit code: the first row that it is one of.
+_TOLD = (
+    (errors.BackendError | errors.DeviceError, "pycnc: error[backend]: {cause}", INTERNAL),
+    (errors.FirmwareError, "pycnc: error[controller]: {cause}", INTERNAL),
+    (errors.MachineError | Refused, "{cause}", USAGE),
+    (errors.ProgramError, "{cause}", WRONG),
+    (errors.ArgumentError | errors.AbsentError, "pycnc: error[{id}]: {cause}", USAGE),
+)
+
+
 def explain(cause):
     """Return the exit code of an exception after telling it."""
     if isinstance(cause, KeyboardInterrupt):
         return INTERRUPTED
-    if isinstance(cause, errors.BackendError | errors.DeviceError):
-        fail(f"pycnc: error[backend]: {cause}")
-        return INTERNAL
-    if isinstance(cause, errors.FirmwareError):
-        fail(f"pycnc: error[controller]: {cause}")
-        return INTERNAL
-    if isinstance(cause, errors.MachineError | Refused):
-        fail(str(cause))
-        return USAGE
-    if isinstance(cause, errors.ProgramError):
-        fail(str(cause))
-        return WRONG
-    if isinstance(cause, errors.ArgumentError | errors.AbsentError):
-        fail(f"pycnc: error[{cause.id or 'argument'}]: {cause}")
-        return USAGE
+    for kinds, words, code in _TOLD:
+        if isinstance(cause, kinds):
+            fail(words.format(cause=cause, id=getattr(cause, "id", "") or "argument"))
+            return code
     if isinstance(cause, OSError):
         fail(f"{cause.filename or 'pycnc'}: error[file]: {cause.strerror or cause}")
         if cause.filename is None:  # a disk that is full: pycnc lab canon … > file

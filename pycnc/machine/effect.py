@@ -65,12 +65,15 @@ def idle(machine, key, plan="exact"):
     if plan in _PLANNED and key in ("path.slope", "path.tolerance_mm"):
         return _PLANNED[plan]
     kind = settings.control.kind
-    if kind != "nck" and plan == "exact" and (key in _JERK or key in _NCK_ALONE):
+    if kind != "nck" and plan == "exact" and key in _JERK | _NCK_ALONE:
         return f"{kind} plans without it; control.kind=nck does with it"
     if key in _JERK and settings.path.slope == "linear" and plan != "sshape":
         return "the linear slope tells jerk and does not limit it; path.slope=jerk does"
+    return _unread(settings, key)
+
+
+def _unread(settings, key):
+    """Return why nobody reads a key of such a machine; empty if somebody does."""
     if key == "dialect.system" and settings.dialect.base not in ("fanuc", "auto"):
         return f"only dialect.base=fanuc has it (is {settings.dialect.base})"
-    if key == "description":
-        return "only lists of machines show it"
-    return ""
+    return "only lists of machines show it" if key == "description" else ""

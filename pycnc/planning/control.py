@@ -78,25 +78,11 @@ def cures(machine):
     """Yield (words, changes) of what another control's settings may be instead."""
     own, kind = machine.settings.control, machine.settings.control.kind
     yield "this kernel (control.kind = nck)", {"control.kind": "nck"}
-    rule = rule_of(machine)[0]
-    value = rule["value"]
-    for key, place in (
-        ("max_accel", lib.NCK_CONTROL_A_PATH), ("square_corner_velocity", lib.NCK_CONTROL_CORNER),
-        ("max_velocity", lib.NCK_CONTROL_V_PATH),
-    ):  # fmt: skip
-        if kind == "klipper" and value[place] > 0:
-            yield f"{key} x 2", {f"control.{key}": 2 * float(value[place])}
+    value = rule_of(machine)[0]["value"]
     if kind == "klipper":
-        yield "minimum_cruise_ratio 0", {"control.minimum_cruise_ratio": 0}
+        yield from _cures_of_klipper(value)
         return
-    twice = {}
-    for letter, axis in machine.settings.axis.present().items():
-        key = f"a_max_{unit_of(letter)}_s2"
-        twice[f"axis.{letter}.{key}"] = 2 * getattr(axis, key)
-    for key in ("acceleration", "travel_acceleration", "retract_acceleration"):
-        if (has := getattr(own, key)) is not None:
-            twice[f"control.{key}"] = 2 * has
-    yield "acceleration x 2", twice
+    yield "acceleration x 2", _accelerations_twice(machine)
     if kind == "linuxcnc":
         return
     if not own.jerk.present():
@@ -106,6 +92,28 @@ def cures(machine):
     yield f"a ring of {8 * blocks} blocks", {"control.planner_blocks": min(1000, 8 * blocks)}
     if kind in GRBLS and not own.laser_mode:
         yield "laser_mode: S on a move is no rest", {"control.laser_mode": True}
+
+
+def _cures_of_klipper(value):
+    for key, place in (
+        ("max_accel", lib.NCK_CONTROL_A_PATH), ("square_corner_velocity", lib.NCK_CONTROL_CORNER),
+        ("max_velocity", lib.NCK_CONTROL_V_PATH),
+    ):  # fmt: skip
+        if value[place] > 0:
+            yield f"{key} x 2", {f"control.{key}": 2 * float(value[place])}
+    yield "minimum_cruise_ratio 0", {"control.minimum_cruise_ratio": 0}
+
+
+def _accelerations_twice(machine):
+    """Return the changes that double what axes, and lines of each kind, may accelerate."""
+    own, twice = machine.settings.control, {}
+    for letter, axis in machine.settings.axis.present().items():
+        key = f"a_max_{unit_of(letter)}_s2"
+        twice[f"axis.{letter}.{key}"] = 2 * getattr(axis, key)
+    for key in ("acceleration", "travel_acceleration", "retract_acceleration"):
+        if (has := getattr(own, key)) is not None:
+            twice[f"control.{key}"] = 2 * has
+    return twice
 
 
 def rule_of(machine):

@@ -182,23 +182,11 @@ class Why(shown.Tables):
     def _cures(self):
         """Yield (cure in words, program that has it)."""
         machine = self.program.machine
+        changes = control.cures if control.is_foreign(machine) else _limits_twice
+        for words, change in changes(machine):
+            yield words, self._on(change)
         if control.is_foreign(machine):
-            for words, changes in control.cures(machine):
-                yield words, self._on(changes)
             return
-        for words, kinds, path in (
-            ("acceleration", ("a_max",), "a_max_mm_s2"), ("jerk", ("j_max",), "j_max_mm_s3"),
-            ("speed", ("v_max", "rapid"), "feed_max_mm_min"),
-        ):  # fmt: skip
-            twice = {letter: _twice(machine, letter, kinds) for letter in machine.axes}
-            whole = {key: value for one in twice.values() for key, value in one.items()}
-            most = getattr(machine.settings.path, path)
-            if most is not None:
-                whole[f"path.{path}"] = 2 * most
-            yield f"{words} x 2", self._on(whole)
-            if len(twice) > 1:
-                for letter, one in twice.items():
-                    yield f"{words} of {letter.upper()} x 2", self._on(one)
         has = machine.settings.path.tolerance_mm
         tolerance = TOLERANCE_MM if has < TOLERANCE_MM else 2 * has
         yield f"within {tolerance:g} mm", self._on({"path.tolerance_mm": tolerance})
@@ -286,6 +274,22 @@ def _angle_words(least, most):
     if most - least <= max(0.5, 0.15 * most):
         return f"{(least + most) / 2:.2g}°" if most < 10 else f"{(least + most) / 2:.0f}°"
     return f"{least:.2g}° to {most:.3g}°"
+
+
+def _limits_twice(machine):
+    """Yield (words, changes) of twice the limits of all axes, and of each."""
+    for words, kinds, path in (
+        ("acceleration", ("a_max",), "a_max_mm_s2"), ("jerk", ("j_max",), "j_max_mm_s3"),
+        ("speed", ("v_max", "rapid"), "feed_max_mm_min"),
+    ):  # fmt: skip
+        twice = {letter: _twice(machine, letter, kinds) for letter in machine.axes}
+        whole = {key: value for one in twice.values() for key, value in one.items()}
+        most = getattr(machine.settings.path, path)
+        if most is not None:
+            whole[f"path.{path}"] = 2 * most
+        yield f"{words} x 2", whole
+        if len(twice) > 1:
+            yield from ((f"{words} of {x.upper()} x 2", one) for x, one in twice.items())
 
 
 def _twice(machine, letter, kinds):
