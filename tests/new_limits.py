@@ -27,7 +27,7 @@ SLOPES = ("linear", "jerk", "optimal")
 ANSWERS = ("hold", "override", "speed")
 SHARE = 1.05  # of a limit, as in stop_gate.py
 SOME = 0.02  # of the cases may pass it: where the tick brakes by itself
-JUMP = 20  # times a jerk: what passes it is a jump
+JUMP = 5  # times a jerk: what passes it is a jump
 
 
 class Live:

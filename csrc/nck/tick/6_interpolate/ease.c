@@ -322,7 +322,7 @@ static double change_to_run(const ease_pace_t *pace, double period) {
 static double change_at_last(const ease_pace_t *pace, double change, double most, double period) {
     const double left = nck_max(1.0 - pace->k, 0.5 * pace->dk * period);
     const double must = 0.5 * pace->dk * pace->dk / left;
-    const int is_last = pace->way > 0.0 && pace->dk > 0.0 && must > most;
+    const int is_last = pace->dk > 0.0 && must > most;
     return is_last ? nck_min(change, -must) : change;
 }
 
@@ -420,14 +420,15 @@ static double change_for(const ease_pace_t *pace, ease_walk_t *walk, double *mos
     ease_range_t range;
     look(walk, &on.to);
     bound_period(&range, walk, pace, k * period, &on);
-    *most_out = pace->way < 0.0 ? range.high : free_change(walk, &on.to);
+    const double free = free_change(walk, &on.to);
+    *most_out = pace->way < 0.0 ? range.high : free;
     if (walk->ends) return 0.0;
-    if (range.low <= range.high) return choose(pace, &range, *most_out, walk, &on);
+    if (range.low <= range.high) return choose(pace, &range, free, walk, &on);
     const double gone = -pace->dk / period;
     const double middle = 0.5 * (range.low + range.high);
     const double change = pace->way < 0.0 ? nck_min(middle, nck_max(0.0, gone))
                                           : nck_max(middle, nck_min(0.0, gone));
-    return change_at_last(pace, change, *most_out, period);
+    return change_at_last(pace, change, free, period);
 }
 
 // The same, where prep may publish another plan at any time: then that counts. It does so once in
@@ -454,9 +455,11 @@ void nck_ease_begin(nck_clock_t *clock) {
 static void take_pace(nck_clock_t *clock, const ease_pace_t *pace, double near, double period) {
     const int brakes = pace->way < 0.0;
     const int rests = brakes && !(pace->k > near * period);
-    const int runs = !brakes && 1.0 - pace->k <= near * period && pace->dk <= near;
-    clock->first.rate = rests ? 0.0 : runs ? 1.0 : pace->k;
-    clock->second.gain = rests || runs ? 0.0 : pace->dk;
+    const int is_near = 1.0 - pace->k <= near * period && pace->dk <= near;
+    const int is_whole = pace->k >= 1.0; // never beyond
+    const int runs = !brakes && (is_near || is_whole);
+    clock->first.rate = rests ? 0.0 : runs || is_whole ? 1.0 : pace->k;
+    clock->second.gain = rests || runs || is_whole ? 0.0 : pace->dk;
     if (runs) nck_fence_store(&clock->state, NCK_CLOCK_RUNS);
 }
 
