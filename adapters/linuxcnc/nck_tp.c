@@ -29,7 +29,7 @@ RTAPI_MP_INT(jerk, "jerk of every axis [units/s^3]; 0: as the INI says");
 static int budget = 0;
 RTAPI_MP_INT(budget, "steps of preparation a cycle; 0: as the INI says");
 static char *planner = NULL;
-RTAPI_MP_STRING(planner, "jerk or linear; as the INI says");
+RTAPI_MP_STRING(planner, "jerk, optimal or linear; as the INI says");
 
 // What a tuner looks at in halscope, in the machine's units.
 typedef struct pins {
@@ -453,7 +453,7 @@ static void tell_settings(void) {
     static const char letters[] = "XYZABCUVW";
     const int given = settings.budget > 0;
     rtapi_print_msg(RTAPI_MSG_ERR, "nck_tp: planner %s, budget %u steps a %s, %s\n",
-                    settings.slope == NCK_SLOPE_LINEAR ? "linear" : "jerk",
+                    settings_planner(&settings),
                     given ? (unsigned)settings.budget : (unsigned)SETTINGS_BUDGET,
                     given ? "cycle" : "millisecond", settings.mm_per_unit > 1.0 ? "inch" : "mm");
     for (int k = 0; k < MOVES_AXES && settings.slope != NCK_SLOPE_LINEAR; k++) {

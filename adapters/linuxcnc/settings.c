@@ -216,11 +216,19 @@ static int read_limits(settings_t *settings, FILE *file, const settings_given_t 
     return 1;
 }
 
+// What owners call the kernel's slopes.
+static const char *const planners[] = {
+    [NCK_SLOPE_LINEAR] = "linear", [NCK_SLOPE_JERK] = "jerk", [NCK_SLOPE_OPTIMAL] = "optimal"};
+
+const char *settings_planner(const settings_t *settings) { return planners[settings->slope]; }
+
 static int read_planner(settings_t *settings, const char *name, char *why) {
-    const int linear = equals(name, "linear");
-    if (!linear && !equals(name, "jerk")) return fail(why, "planner", "write jerk or linear");
-    settings->slope = linear ? NCK_SLOPE_LINEAR : NCK_SLOPE_JERK;
-    return 1;
+    for (uint32_t slope = 0; slope < sizeof planners / sizeof *planners; slope++) {
+        if (!equals(name, planners[slope])) continue;
+        settings->slope = slope;
+        return 1;
+    }
+    return fail(why, "planner", "write jerk, optimal or linear");
 }
 
 static int read_choices(settings_t *settings, FILE *file, const settings_given_t *given,

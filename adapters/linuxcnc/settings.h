@@ -35,7 +35,7 @@ typedef struct settings {
 typedef struct settings_given {
     int jerk;            // of every axis [units/s³]; 0: as the INI says
     int budget;          // steps a cycle; 0: as the INI says
-    const char *planner; // "jerk" or "linear"; NULL: as the INI says
+    const char *planner; // "jerk", "optimal" or "linear"; NULL: as the INI says
 } settings_given_t;
 
 // Read the INI of a path; NULL: there is none, then `given` has to say the jerk.
@@ -45,6 +45,9 @@ int settings_read(settings_t *settings, const char *path, const settings_given_t
 
 // What serves a planner that takes no move. Cost: constant. Context: while the module loads.
 void settings_rest(settings_t *settings);
+
+// What its owner calls the planner in force. Cost: constant. Context: any.
+const char *settings_planner(const settings_t *settings);
 
 // Millimetres or degrees in one unit of the axis. Cost: constant. Context: any.
 double settings_scale(const settings_t *settings, int axis);

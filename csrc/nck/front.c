@@ -68,7 +68,9 @@ nck_status_t nck_end_pieces(nck_t *nck, uint32_t blocks) {
 }
 
 void nck_hurry(nck_t *nck, uint32_t periods) {
-    if (nck_slope_hurry(&nck->slope, periods)) nck_lookahead_hurry(&nck->lookahead);
+    if (!nck_slope_hurry(&nck->slope, periods)) return;
+    nck_lookahead_hurry(&nck->lookahead);
+    nck_smooth_hurry(&nck->smooth);
 }
 
 void nck_end(nck_t *nck) { nck_decode_end(&nck->decode); }

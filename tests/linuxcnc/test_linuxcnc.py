@@ -380,7 +380,7 @@ def test_what_is_wrong_is_told_again_where_a_move_is_asked_for(stand_in):
 
 
 @pytest.mark.parametrize(("line", "wrong", "found"), [
-    ("[KINS]", "NCK_PLANNER = fast\n[KINS]", "write jerk or linear"),
+    ("[KINS]", "NCK_PLANNER = fast\n[KINS]", "write jerk, optimal or linear"),
     ("[KINS]", "NCK_BUDGET = much\n[KINS]", "NCK_BUDGET"),
     ("[KINS]", "NCK_TOLERANCE = -1\n[KINS]", "NCK_TOLERANCE"),
     ("LINEAR_UNITS = mm", "LINEAR_UNITS = yard", "write mm or inch"),

@@ -474,6 +474,11 @@ nck_status_t nck_smooth_pull(nck_smooth_t *self, nck_smooth_item_t *item_out) {
     return NCK_OK;
 }
 
+void nck_smooth_hurry(nck_smooth_t *self) {
+    if (!nck_runs_is_open(self) || !self->hungry) return;
+    if (nck_stream_hurry(&nck_runs_of(self)->stream)) self->hungry = 0;
+}
+
 int nck_smooth_invariants(const nck_smooth_t *self) {
     int good = self->raw.head - self->raw.tail <= NCK_SMOOTH_ROWS;
     for (uint32_t k = self->raw.tail; good && k != self->raw.head; k++) {

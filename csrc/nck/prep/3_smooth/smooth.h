@@ -200,6 +200,10 @@ void nck_smooth_adapt(nck_smooth_t *self);
 // 1 if no block is under way. Cost: constant. Context: prep.
 int nck_smooth_is_empty(const nck_smooth_t *self);
 
+// Nobody knows when more blocks come: a clocked path goes on with what is known of it, if that is
+// enough for a window. Behind NCK_EMPTY. Cost: constant. Context: prep.
+void nck_smooth_hurry(nck_smooth_t *self);
+
 // Give the next seg or output, in order.
 // Returns NCK_OK and the item; NCK_FULL if it has to be called again; NCK_EMPTY if it needs another
 // block or nck_smooth_end; NCK_DONE if all is given.

@@ -78,6 +78,7 @@ static nck_status_t guess(nck_stream_t *self) {
         self->told.places += status == NCK_OK;
         return status;
     }
+    self->clock.hurries = 0;
     if (self->track.head == 0) return go(self, NCK_STREAM_OVER);
     return go(self, NCK_STREAM_CLOCK);
 }
@@ -203,6 +204,14 @@ static nck_status_t slow_down(nck_stream_t *self) {
 
 static int tries_of(const nck_stream_t *self) { return self->clock.begins ? TRIES_REST : TRIES; }
 
+// What has come of it is no curve: rows are far off, or single precision has run over.
+static int is_lost(const nck_stream_t *self) {
+    const nck_fair_t *const fair = &self->work.fair;
+    nck_num sum = 0;
+    for (int k = 0; k < (self->clock.knots + 3) * self->moving; k++) sum += fair->y[k];
+    return !(fair->sum.primal < (nck_num)LOST) || sum - sum != 0;
+}
+
 static nck_status_t make_fair(nck_stream_t *self) {
     if (nck_fair_step(&self->work.fair) == NCK_OK) return NCK_OK;
     const nck_num primal = self->work.fair.sum.primal;
@@ -210,7 +219,7 @@ static nck_status_t make_fair(nck_stream_t *self) {
     self->planned = 0;
     self->told.iterations += (uint32_t)self->work.fair.iterations;
     self->sound = primal < (nck_num)SOUND;
-    if (!(primal < (nck_num)LOST) && self->tries < tries_of(self)) {
+    if (is_lost(self) && self->tries < tries_of(self)) {
         self->tries++;
         return slow_down(self);
     }
@@ -267,7 +276,7 @@ static nck_status_t fail(nck_stream_t *self, double found) {
 // Hold an interval against the program.
 static nck_status_t prove(nck_stream_t *self) {
     const double miss = nck_sample_miss(self, self->at++);
-    self->miss = nck_max(self->miss, miss);
+    self->miss = miss - miss != 0.0 ? LOST : nck_max(self->miss, miss); // a number, or far off
     if (self->at < proven_to(self)) return NCK_OK;
     const double found = self->miss;
     self->miss = 0.0;
@@ -445,6 +454,10 @@ nck_status_t nck_stream_step(nck_stream_t *self) {
     default:
         return NCK_DONE;
     }
+}
+
+int nck_stream_hurry(nck_stream_t *self) {
+    return self->phase == NCK_STREAM_GUESS && nck_timing_hurry(&self->clock);
 }
 
 double nck_stream_place(const nck_stream_t *self) { return self->clock.s[4 * self->at]; }

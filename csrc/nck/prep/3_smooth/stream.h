@@ -105,6 +105,10 @@ void nck_stream_close(nck_stream_t *self);
 // Cost: 8 000 operations, or linear in the knots of a window. Context: prep.
 nck_status_t nck_stream_step(nck_stream_t *self);
 
+// Nobody knows when more segs come: a window of what is known, if it is enough for one. Returns 1
+// if it is: step anew. Behind NCK_EMPTY. Cost: constant. Context: prep.
+int nck_stream_hurry(nck_stream_t *self);
+
 // Where the next piece begins, when step has said NCK_FULL [path mm]. Cost: constant.
 // Context: prep.
 double nck_stream_place(const nck_stream_t *self);

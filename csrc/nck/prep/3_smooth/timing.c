@@ -18,6 +18,7 @@ void nck_timing_begin(nck_timing_t *self, const nck_timing_terms_t *terms) {
     self->terms = terms;
     self->closed = 0;
     self->looked = 0;
+    self->hurries = 0;
     self->brakes = 0;
     self->ends = 0;
     self->begins = 1;
@@ -169,7 +170,7 @@ nck_status_t nck_timing_look(nck_timing_t *self, const nck_track_t *track) {
     *near = nck_track_find(track, *near, s);
     const nck_track_element_t *const element = nck_track_at(track, *near);
     if (!self->closed && s + (double)REACH * element->words.feed > sight.known) {
-        if (!nck_track_is_full(track)) return NCK_EMPTY;
+        if (!nck_track_is_full(track) && !self->hurries) return NCK_EMPTY;
         self->brakes = self->guess.head - self->guess.tail < NCK_FAIR_WINDOW;
         if (s > sight.known) return NCK_DONE;
     }
@@ -178,6 +179,11 @@ nck_status_t nck_timing_look(nck_timing_t *self, const nck_track_t *track) {
     add_place(self, s, speed_of(self, track, &sight, element));
     self->looked = self->closed && s >= sight.known;
     return NCK_OK;
+}
+
+int nck_timing_hurry(nck_timing_t *self) {
+    self->hurries = self->guess.head - self->guess.tail >= NCK_FAIR_WINDOW;
+    return self->hurries;
 }
 
 double nck_timing_reach(const nck_timing_t *self, const nck_track_t *track) {

@@ -68,6 +68,7 @@ typedef struct nck_timing {
     const nck_timing_terms_t *terms;
     uint8_t closed;   // 1: the run's end is known
     uint8_t looked;   // 1: the guess has reached it
+    uint8_t hurries;  // 1: more may be long in coming: what is known has to do
     uint8_t brakes;   // 1: so little is known that the guess rests where that ends
     uint8_t begins;   // 1: the window begins at rest
     uint8_t ends;     // 1: it ends at the run's end
@@ -99,9 +100,13 @@ typedef struct nck_timing {
 void nck_timing_begin(nck_timing_t *self, const nck_timing_terms_t *terms);
 
 // Look at the next place. Returns NCK_OK (call again); NCK_EMPTY: the track must be known further,
-// closed or full first; NCK_DONE: as far as there is room for, or to the end.
+// closed or full first, or time presses; NCK_DONE: as far as there is room for, or to the end.
 // Cost: 2 NCK_TIMING_RUNGS points. Context: prep.
 nck_status_t nck_timing_look(nck_timing_t *self, const nck_track_t *track);
+
+// Nobody knows when more comes. Returns 1 if what is known will do for a window, as nck_timing_look
+// tells then. Cost: constant. Context: prep.
+int nck_timing_hurry(nck_timing_t *self);
 
 // How far before the window's begin the track is still looked at. Cost: constant. Context: prep.
 double nck_timing_reach(const nck_timing_t *self, const nck_track_t *track);
