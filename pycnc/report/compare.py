@@ -335,30 +335,41 @@ def _line_times(line, t):
 def _follow(path_a, t_a, path_b, t_b):
     """Return for every point of B (where A's path is nearest, as index and share; the distance).
 
-    It is looked for from where the last one was found, as far ahead as A may have gone meanwhile;
-    of the places that are near, the one most in time: a path that meets itself stays in order.
+    It is looked for from the furthest place that was found, as far ahead as A may have gone
+    meanwhile; of the places that are near, the one most in time: a path that meets itself stays in
+    order. If another one is nearer by more than A goes there in a sample, it is that one: behind a
+    turn back.
     """
-    place, distance, at = np.empty(len(path_b)), np.empty(len(path_b)), 0
+    place, distance, at, high = np.empty(len(path_b)), np.empty(len(path_b)), 0, 0
     passed, chords = np.diff(t_b, prepend=t_b[0]), np.linalg.norm(np.diff(path_a, axis=0), axis=1)
     for k, point in enumerate(path_b):
         due = int(np.searchsorted(t_a, t_a[at] + passed[k]))
-        looked = slice(max(at - BACK, 0), max(at + FORWARD, 2 * due - at))
+        low = max(high - BACK, 0)
+        looked = slice(low, max(at + FORWARD, 2 * due - at))
         away = np.linalg.norm(path_a[looked] - point, axis=1)
-        near = np.flatnonzero(away <= away.min() + chords[looked].max(initial=0.0)) + looked.start
-        at = _settle(path_a, int(near[np.argmin(np.abs(near - due))]), point)
-        place[k], distance[k] = _on_polyline(path_a, at, point)
+        near = np.flatnonzero(away <= away.min() + chords[looked].max(initial=0.0)) + low
+        at = _settle(path_a, int(near[np.argmin(np.abs(near - due))]), low, point)
+        found = _on_polyline(path_a, at, point)
+        if found[1] - away.min() > chords[max(at - 1, 0) : at + 1].max(initial=0.0):
+            near = np.flatnonzero(away < found[1]) + low
+            at = _settle(path_a, int(near[np.argmin(np.abs(near - due))]), low, point)
+            found = _on_polyline(path_a, at, point)
+        place[k], distance[k] = found
+        high = max(high, at)
     return place, distance
 
 
-def _settle(path, at, point):
-    """Return the vertex that is nearest to a point, without a way over one that is farther."""
-    while True:
-        begin = max(at - BACK, 0)
-        away = path[begin : at + BACK] - point
-        nearest = begin + int(np.argmin(np.einsum("ij,ij->i", away, away)))
-        if nearest == at:
-            return at
-        at = nearest
+def _settle(path, at, low, point):
+    """Return the vertex nearest to a point, from `low` on, vertex by vertex without one that
+    is farther: where a path goes back the way that it came, it stays on its own side."""
+    best = float(np.linalg.norm(path[at] - point))
+    for step, end in ((1, len(path)), (-1, low - 1)):
+        while at + step != end:
+            away = float(np.linalg.norm(path[at + step] - point))
+            if away >= best:
+                break
+            at, best = at + step, away
+    return at
 
 
 def _on_polyline(path, near, point):

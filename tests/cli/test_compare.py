@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from command_line import pycnc
 
-from pycnc import run
+from pycnc import load, run
+from pycnc.machine import Machine
 from pycnc.report import compare
 
 TEXT = "G21 G90 G17\nG1 F3000 X20\nY15\nG4 P0.2\nG1 X0 F1500\nG3 X0 Y5 J-5\nG1 Y0\nM2\n"
@@ -189,3 +190,42 @@ def test_other_bad_operands_are_told(part, tmp_path):
     assert "is no trace of pycnc" in pycnc("compare", part, archive).err
     assert pycnc("compare", part, tmp_path / "missing.npz").code == 2
     assert pycnc("compare", part, "-", stdin=b"G1 Q5\n").code == 1
+
+
+def back_and_forth(seed):
+    """Return a program whose path goes back the way that it came: holes, slots and laps of them."""
+    rng = np.random.default_rng([31, seed])
+    lines = ["G21 G90 G94 G17 G64", "G0 X0 Y0 Z5"]
+    for _ in range(int(rng.integers(4, 12))):
+        x, y = rng.uniform(-50, 50, 2)
+        lines.append(f"G0 X{x:.3f} Y{y:.3f}")
+        kind = rng.integers(3)
+        if kind == 0:
+            cycle = rng.choice(["G81", "G82 P0.1", "G83 Q2"])
+            lines.append(f"{cycle} X{x:.3f} Y{y:.3f} Z-6 R1 F300")
+            lines.append("G80 G0 Z5")
+        else:
+            lines.append("G1 Z-1 F400")
+            turn = f"X{x + rng.uniform(5, 30):.3f}" if kind == 1 else "Z-1.2"
+            for _ in range(int(rng.integers(1, 4))):
+                lines += [f"G1 {turn} F{rng.integers(500, 5000)}", f"X{x:.3f} Z-1"]
+            lines.append("G0 Z5")
+    return "\n".join([*lines, "M2", ""])
+
+
+def distance_within(seed, tolerance):
+    """Return how far a program's run within a tolerance is told to be from that within 0.01 mm."""
+    text = back_and_forth(seed)
+    runs = [run(load(text, machine=Machine.load("mill3", set=[f"path.tolerance_mm={most}"])))
+            for most in (0.01, tolerance)]  # fmt: skip
+    found = compare.Comparison(*(compare.of_trace(each, "run") for each in runs))
+    return found.distance_mm
+
+
+# Of 40 programs it is a lap ahead in one (seed 16), where both laps are as near.
+@pytest.mark.sample(1)
+@pytest.mark.parametrize("first", range(0, 40, 8))
+def test_a_path_that_goes_back_its_own_way_is_followed_in_order(first):
+    told = {seed: distance_within(seed, 0.05) for seed in range(first, first + 8)}
+    lost = [seed for seed, distance in told.items() if distance > 1.5 * (0.01 + 0.05)]
+    assert len(lost) <= 1, told
