@@ -127,7 +127,7 @@ static void a_corner_that_does_not_fit_is_one_error(check_t *check) {
         check_error(check, &self, cases[k].text, NCK_E_CORNER, cases[k].line, cases[k].column);
     }
     check_error(check, &self, "G1 X9 F9 ,R1 ,C2\nY20\nM30\n", NCK_E_WORD_TWICE, 1, 15);
-    check_error(check, &self, "G1 X9 F9 ,A1\nY20\nM30\n", NCK_E_CHARACTER, 1, 10);
+    check_error(check, &self, "G1 X9 F9 ,B1\nY20\nM30\n", NCK_E_CHARACTER, 1, 10);
     check_error(check, &self, "G1 X9 F9 ,R\nY20\nM30\n", NCK_E_NUMBER, 1, 11);
     check_error(check, &self, "G1 X9 F9 ,R0\nY20\nM30\n", NCK_E_NUMBER_RANGE, 1, 11);
     check_error(check, &self, "G51 X0 Y0 P2.\nG1 X9 F9 ,R1\nY20\nM30\n", NCK_E_LAYOUT_ON, 2, 11);

@@ -171,7 +171,7 @@ static const told_row_t fanuc_rows[] = {
     {"G17 G41 D1 G1 X1. F100.\nG40 X0\n",
      "!1:9 tool-unknown D 1/0; 2 rapid"},
     {"G0 X.5 Y1,5\nG1 X10. ,R2. F100.\nY10.\nX20. ,C1.\nY0\nX30. ,R20.\nY1.\nX40. ,C1.\nX50.\n"
-     "X60. ,R1.\nG0 X70.\nG1 X80. ,R1. ,C1.\nX90. ,R-1.\nX95. ,R0\nY5.\nX100. ,A5.\n",
+     "X60. ,R1.\nG0 X70.\nG1 X80. ,R1. ,C1.\nX90. ,R-1.\nX95. ,R0\nY5.\nX100. ,B5.\n",
      "!1:10 character 44/0; 2 line X8 F100; 2 arc X10 Y2 G17 about 8 2 by 90; 3 line Y10;"
      " 4 line X19; 4 line X20 Y9; 5 line Y0; !6:7 corner R 20/0; !8:7 corner C 1/0;"
      " !10:7 corner R 1/0; !12:15 word-twice C; !13:7 corner R -1/0; !14:7 corner R;"

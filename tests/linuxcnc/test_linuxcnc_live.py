@@ -185,7 +185,7 @@ def test_a_servo_period_out_of_range_is_in_linuxcncs_log(planner, folder, monkey
 
 @pytest.mark.parametrize(("parameter", "told"), [
     ("swing=1", "swing"), ("jerk=-1", "above zero"), ("budget=-1", "above zero"),
-    ("planner=fast", "write jerk or linear"),
+    ("planner=fast", "write jerk, optimal or linear"),
 ])  # fmt: skip
 def test_a_parameter_that_is_none_does_not_load(planner, folder, parameter, told):
     with pytest.raises(live.errors.StateError, match=told):
