@@ -61,10 +61,17 @@ typedef struct ease_point {
     double second[NCK_AXIS_MAX];
 } ease_point_t;
 
+// What an axis does at the ends of a stretch, or the path: what of all axes has its direction.
+typedef struct ease_ways {
+    double first[2], second[2], third[2];
+    double rise; // of the first derivative, from one end to the other
+} ease_ways_t;
+
 // A stretch of the plan.
 typedef struct ease_stretch {
     double far; // of the plan's time [s]
     ease_point_t from, to;
+    ease_ways_t along; // the path, where it has limits of its own
 } ease_stretch_t;
 
 // A pace.
@@ -124,11 +131,43 @@ static double walk_on(ease_walk_t *walk, double far) {
     return gone;
 }
 
+static void ways_of(const ease_stretch_t *on, int x, ease_ways_t *out) {
+    const double turn = on->to.second[x] - on->from.second[x];
+    out->first[0] = on->from.first[x];
+    out->first[1] = on->to.first[x];
+    out->second[0] = on->from.second[x];
+    out->second[1] = on->to.second[x];
+    out->third[0] = on->far > 0.0 ? turn / on->far : 0.0;
+    out->third[1] = out->third[0];
+    out->rise = on->to.first[x] - on->from.first[x];
+}
+
+static void set_along(ease_stretch_t *on, int axes) {
+    ease_ways_t *const out = &on->along;
+    memset(out, 0, sizeof *out);
+    for (int n = 0; n < 2; n++) {
+        const ease_point_t *const at = n == 0 ? &on->from : &on->to;
+        double square = 0.0;
+        for (int x = 0; x < axes; x++) square += at->first[x] * at->first[x];
+        out->first[n] = nck_sqrt(square);
+        const double per = square > 0.0 ? 1.0 / out->first[n] : 0.0; // 0: it rests there
+        for (int x = 0; x < axes; x++) {
+            ease_ways_t own;
+            const double share = per * at->first[x];
+            ways_of(on, x, &own);
+            out->second[n] += share * own.second[n];
+            out->third[n] += share * own.third[n];
+            if (n == 1) out->rise += share * own.rise;
+        }
+    }
+}
+
 // The next stretch.
 static void take_stretch(ease_walk_t *walk, double far, ease_stretch_t *stretch) {
     stretch->from = stretch->to;
     stretch->far = walk_on(walk, far);
     look(walk, &stretch->to);
+    if (walk->terms->limits_path) set_along(stretch, walk->terms->axes);
 }
 
 // How long a pace takes for so much of the plan's time; 0: it stands before.
@@ -149,42 +188,6 @@ static void bound(ease_range_t *range, double base, double per, double most) {
     const double up = per < 0.0 ? -base : base;
     range->low = nck_max(range->low, (-most - up) / size);
     range->high = nck_min(range->high, (most - up) / size);
-}
-
-// What an axis does at the ends of a stretch, or the path: what of all axes has its direction.
-typedef struct ease_ways {
-    double first[2], second[2], third[2];
-    double rise; // of the first derivative, from one end to the other
-} ease_ways_t;
-
-static void ways_of(const ease_stretch_t *on, int x, ease_ways_t *out) {
-    const double turn = on->to.second[x] - on->from.second[x];
-    out->first[0] = on->from.first[x];
-    out->first[1] = on->to.first[x];
-    out->second[0] = on->from.second[x];
-    out->second[1] = on->to.second[x];
-    out->third[0] = on->far > 0.0 ? turn / on->far : 0.0;
-    out->third[1] = out->third[0];
-    out->rise = on->to.first[x] - on->from.first[x];
-}
-
-static void ways_along(const ease_stretch_t *on, int axes, ease_ways_t *out) {
-    memset(out, 0, sizeof *out);
-    for (int n = 0; n < 2; n++) {
-        const ease_point_t *const at = n == 0 ? &on->from : &on->to;
-        double square = 0.0;
-        for (int x = 0; x < axes; x++) square += at->first[x] * at->first[x];
-        out->first[n] = nck_sqrt(square);
-        const double per = square > 0.0 ? 1.0 / out->first[n] : 0.0; // 0: it rests there
-        for (int x = 0; x < axes; x++) {
-            ease_ways_t own;
-            const double share = per * at->first[x];
-            ways_of(on, x, &own);
-            out->second[n] += share * own.second[n];
-            out->third[n] += share * own.third[n];
-            if (n == 1) out->rise += share * own.rise;
-        }
-    }
 }
 
 // What is allowed of jerk on a stretch, times since the pace [s]. Nobody takes less than the plan
@@ -231,9 +234,7 @@ static void bound_jerks(ease_range_t *range, const nck_terms_t *terms, const eas
         if (axis->present) bound_jerk(range, &ways, share * axis->j_max, pace, times);
     }
     if (!terms->limits_path) return;
-    ease_ways_t along;
-    ways_along(on, terms->axes, &along);
-    bound_jerk(range, &along, share * terms->machine->path.j_max, pace, times);
+    bound_jerk(range, &on->along, share * terms->machine->path.j_max, pace, times);
 }
 
 // What is allowed on a stretch that takes so long [s].
@@ -249,9 +250,7 @@ static void bound_all(ease_range_t *range, const nck_terms_t *terms, const ease_
         if (axis->present) bound_accel(range, &ways, share * axis->a_max, on->far, pace, time);
     }
     if (!terms->limits_path) return;
-    ease_ways_t along;
-    ways_along(on, terms->axes, &along);
-    bound_accel(range, &along, share * terms->machine->path.a_max, on->far, pace, time);
+    bound_accel(range, &on->along, share * terms->machine->path.a_max, on->far, pace, time);
 }
 
 // 1 while k changes the way that it is to, between the clock's rest and its run.
