@@ -3,7 +3,7 @@
 #include "nck/prep/1_decode/motion/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_assume nck_decode_block nck_decode_fail …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_as_word nck_decode_counts …
-#include "nck/prep/1_decode/place/place.h" // nck_layout_way
+#include "nck/prep/1_decode/place/place.h" // nck_layout_way nck_plane_axes
 #include "nck/base/arc_math.h" // nck_arc_sweep …
 
 #include <stddef.h> // NULL
@@ -38,13 +38,8 @@ static nck_status_t fail_arc(nck_decode_t *self, nck_status_t code, double value
 }
 
 static nck_status_t choose_plane(nck_decode_t *self, course_t *course) {
-    static const uint8_t planes[3][2] = {
-        {NCK_AXIS_X, NCK_AXIS_Y}, {NCK_AXIS_Z, NCK_AXIS_X}, {NCK_AXIS_Y, NCK_AXIS_Z}
-    };
-    const uint8_t *const plane = planes[self->modal.plane - 17];
     memset(course, 0, sizeof *course);
-    course->u = plane[0];
-    course->v = plane[1];
+    nck_plane_axes(self, &course->u, &course->v);
     const unsigned axes[2] = {course->u, course->v};
     for (unsigned k = 0; k < 2; k++) {
         if (!(self->place.axes & ((uint32_t)1 << axes[k]))) {

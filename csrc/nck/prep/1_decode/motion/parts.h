@@ -25,6 +25,21 @@ nck_status_t nck_decode_straight(nck_decode_t *self, nck_block_kind_t kind,
 // NCK_E_CONTOUR_FULL, NCK_E_SCALE_UNIT, and as nck_decode_cycle_fits. Cost: linear in the points.
 nck_status_t nck_decode_knots(nck_decode_t *self);
 
+// ---- polar.c and slant.c: words that are made of others
+
+// What else in the line moves the zero, or the units that the words are written in.
+#define NCK_MOVES_ZERO                                                                            \
+    (NCK_STEP(NCK_STEP_UNITS) | NCK_STEP(NCK_STEP_DIAMETER) | NCK_STEP(NCK_STEP_STATE)             \
+     | NCK_STEP(NCK_STEP_LENGTH) | NCK_STEP(NCK_STEP_WORK) | NCK_STEP(NCK_STEP_OFFSET)             \
+     | NCK_STEP(NCK_STEP_MACHINE) | NCK_STEP(NCK_STEP_PLANE) | NCK_STEP(NCK_STEP_LAYOUT))
+
+// 1 if the words of the line add to where it begins: by its own G91, or by that in force.
+// Cost: constant.
+static inline int nck_motion_adds(const nck_decode_t *self) {
+    const int own = (self->words.codes & NCK_STEP(NCK_STEP_DISTANCE)) != 0;
+    return own ? self->words.code[NCK_STEP_DISTANCE] == 910 : self->modal.incremental;
+}
+
 // ---- slant.c
 
 // The angle of ,A and the axis that is said become the word of the other axis of the plane.

@@ -16,12 +16,6 @@ static const double degree = 3.14159265358979323846 / 180.0;
 static const double value_most = NCK_DECODE_VALUE_MAX;
 static const double least_mm = 1e-6; // nearer to the zero there is no angle: a nanometre
 
-// What else in the line moves the zero, or the units that the words are written in.
-#define MOVES_ZERO                                                                                \
-    (NCK_STEP(NCK_STEP_UNITS) | NCK_STEP(NCK_STEP_DIAMETER) | NCK_STEP(NCK_STEP_STATE)             \
-     | NCK_STEP(NCK_STEP_LENGTH) | NCK_STEP(NCK_STEP_WORK) | NCK_STEP(NCK_STEP_OFFSET)             \
-     | NCK_STEP(NCK_STEP_MACHINE) | NCK_STEP(NCK_STEP_PLANE))
-
 nck_status_t nck_polar_read(nck_decode_t *self, const char **at) {
     nck_words_t *const words = &self->words;
     const char *const first = *at;
@@ -59,11 +53,6 @@ static int64_t here_nm(const nck_decode_t *self, unsigned axis) {
     return nck_turned_place(self, axis);
 }
 
-static int is_incremental(const nck_decode_t *self) {
-    const int says = (self->words.codes & NCK_STEP(NCK_STEP_DISTANCE)) != 0;
-    return says ? self->words.code[NCK_STEP_DISTANCE] == 910 : self->modal.incremental;
-}
-
 // The words of X and Y that lead to the place.
 static void write_words(nck_decode_t *self) {
     nck_words_t *const words = &self->words;
@@ -73,7 +62,7 @@ static void write_words(nck_decode_t *self) {
     for (unsigned axis = 0; axis < 2; axis++) {
         const double place_nm = words->polar_at[0] * way[axis] * (double)NCK_COUNTS_PER_MM;
         int64_t value_nm = (int64_t)nck_floor(place_nm + 0.5);
-        if (is_incremental(self)) value_nm -= here_nm(self, axis);
+        if (nck_motion_adds(self)) value_nm -= here_nm(self, axis);
         nck_decode_write(self, axis, value_nm, &words->number[first + axis]);
         words->column[first + axis] = words->polar_column;
     }
@@ -85,7 +74,7 @@ static nck_status_t find_place(nck_decode_t *self) {
     const double x = (double)here_nm(self, 0) / (double)NCK_COUNTS_PER_MM;
     const double y = (double)here_nm(self, 1) / (double)NCK_COUNTS_PER_MM;
     const double distance = nck_sqrt(x * x + y * y);
-    const int adds = is_incremental(self);
+    const int adds = nck_motion_adds(self);
     if (!(words->polars & DISTANCE)) words->polar_step[0] = 0.0;
     if (!(words->polars & ANGLE)) words->polar_step[1] = 0.0;
     words->polar_step[0] *= self->modal.inch ? 25.4 : 1.0;
@@ -105,7 +94,7 @@ nck_status_t nck_polar_resolve(nck_decode_t *self) {
     const uint32_t letters = NCK_LETTER('X') | NCK_LETTER('Y');
     if (words->polars & NCK_POLAR_SLANT) return nck_slant_resolve(self);
     if (words->letters & letters) return fail(self, NCK_E_WORD_SHARED);
-    if (words->codes & MOVES_ZERO) return fail(self, NCK_E_INCREMENTAL);
+    if (words->codes & NCK_MOVES_ZERO) return fail(self, NCK_E_INCREMENTAL);
     if (self->modal.plane != FLAT_PLANE) return fail(self, NCK_E_UNSUPPORTED);
     const nck_status_t status = find_place(self);
     if (status != NCK_OK) return status;

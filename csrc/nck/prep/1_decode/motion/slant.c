@@ -4,16 +4,11 @@
 #include "nck/prep/1_decode/motion/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail
 #include "nck/prep/1_decode/number/number.h" // nck_decode_axis_word nck_decode_write …
+#include "nck/prep/1_decode/place/place.h" // nck_plane_axes
 #include "nck/base/real.h" // nck_fabs nck_floor nck_sincos
 
 static const double degree = 3.14159265358979323846 / 180.0;
 static const double angle_most = 360.0;
-
-// What else in the line moves the zero, or the units that the words are written in.
-#define MOVES_ZERO                                                                                \
-    (NCK_STEP(NCK_STEP_UNITS) | NCK_STEP(NCK_STEP_LENGTH) | NCK_STEP(NCK_STEP_WORK)                \
-     | NCK_STEP(NCK_STEP_OFFSET) | NCK_STEP(NCK_STEP_MACHINE) | NCK_STEP(NCK_STEP_PLANE)           \
-     | NCK_STEP(NCK_STEP_LAYOUT))
 
 static nck_status_t fail(nck_decode_t *self, nck_status_t code, double value, double limit) {
     return nck_decode_fail(self, code, self->words.polar_column, ',', value, limit);
@@ -42,16 +37,11 @@ static int is_said(const nck_decode_t *self, unsigned axis) {
     return (self->words.letters & NCK_LETTER(nck_decode_letter(axis))) != 0;
 }
 
-static int is_incremental(const nck_decode_t *self) {
-    const int says = (self->words.codes & NCK_STEP(NCK_STEP_DISTANCE)) != 0;
-    return says ? self->words.code[NCK_STEP_DISTANCE] == 910 : self->modal.incremental;
-}
-
 // The way of the axis that is said [nm] makes that of the other.
 static nck_status_t write_other(nck_decode_t *self, unsigned said, unsigned other, int is_first) {
     nck_words_t *const words = &self->words;
     const unsigned place = (unsigned)(nck_decode_letter(other) - 'A');
-    const int adds = is_incremental(self);
+    const int adds = nck_motion_adds(self);
     int64_t to_nm = 0;
     double sine, cosine;
     const nck_status_t status = nck_decode_axis_word(self, said, &to_nm);
@@ -74,12 +64,12 @@ static nck_status_t write_other(nck_decode_t *self, unsigned said, unsigned othe
 }
 
 nck_status_t nck_slant_resolve(nck_decode_t *self) {
-    static const uint8_t plane_axes[3][2] = {{0, 1}, {2, 0}, {1, 2}}; // G17 X Y, G18 Z X, G19 Y Z
-    const uint8_t *const axes = plane_axes[self->modal.plane - 17];
+    unsigned axes[2];
+    nck_plane_axes(self, &axes[0], &axes[1]);
     const int first = is_said(self, axes[0]);
     const int second = is_said(self, axes[1]);
     if (!is_line(self)) return fail(self, NCK_E_WORD_UNUSED, 0.0, 0.0);
-    if (self->words.codes & MOVES_ZERO) return fail(self, NCK_E_INCREMENTAL, 0.0, 0.0);
+    if (self->words.codes & NCK_MOVES_ZERO) return fail(self, NCK_E_INCREMENTAL, 0.0, 0.0);
     if (self->layout.on != 0) return fail(self, NCK_E_LAYOUT_ON, 0.0, 0.0);
     if (first && second) return fail(self, NCK_E_WORD_SHARED, 0.0, 0.0);
     if (!first && !second) return fail(self, NCK_E_UNSUPPORTED, 0.0, 0.0);

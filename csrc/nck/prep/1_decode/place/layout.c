@@ -13,8 +13,7 @@
 static const double factor_most = 1000.0; // of scaling, and the least is its inverse
 static const double degrees_most = 1e6;
 
-// First and second axis of the plane in force.
-static void plane_axes(const nck_decode_t *self, unsigned *u, unsigned *v) {
+void nck_plane_axes(const nck_decode_t *self, unsigned *u, unsigned *v) {
     *u = self->modal.plane == 17 ? NCK_AXIS_X : self->modal.plane == 18 ? NCK_AXIS_Z : NCK_AXIS_Y;
     *v = self->modal.plane == 17 ? NCK_AXIS_Y : self->modal.plane == 18 ? NCK_AXIS_X : NCK_AXIS_Z;
 }
@@ -34,7 +33,7 @@ static int64_t rounded(double x) { return (int64_t)nck_floor(x + 0.5); }
 static void turn(const nck_decode_t *self, double sine, double *place) {
     const nck_layout_t *const layout = &self->layout;
     unsigned u = NCK_AXIS_X, v = NCK_AXIS_Y;
-    if (!(layout->on & NCK_LAYOUT_SYSTEM)) plane_axes(self, &u, &v);
+    if (!(layout->on & NCK_LAYOUT_SYSTEM)) nck_plane_axes(self, &u, &v);
     const double a = place[u] - (double)layout->turn_nm[0];
     const double b = place[v] - (double)layout->turn_nm[1];
     place[u] = (double)layout->turn_nm[0] + (layout->cosine * a - sine * b);
@@ -85,7 +84,7 @@ static nck_status_t read_polar(nck_decode_t *self, int64_t *at_nm) {
     int64_t radius_nm = 0;
     unsigned u, v;
     double sine, cosine;
-    plane_axes(self, &u, &v);
+    nck_plane_axes(self, &u, &v);
     if (self->words.axes >> u & 1u) {
         const nck_status_t status = nck_decode_axis_word(self, u, &radius_nm);
         if (status != NCK_OK) return status;
@@ -115,7 +114,7 @@ static nck_status_t read_polar(nck_decode_t *self, int64_t *at_nm) {
 static nck_status_t read_place(nck_decode_t *self, int64_t *at_nm) {
     unsigned u, v;
     uint32_t axes = self->words.axes & 7u;
-    plane_axes(self, &u, &v);
+    nck_plane_axes(self, &u, &v);
     const uint32_t plane = 1u << u | 1u << v;
     if ((self->layout.on & NCK_LAYOUT_POLAR) && (axes & plane)) {
         const nck_status_t status = read_polar(self, at_nm);
@@ -172,7 +171,7 @@ double nck_layout_way(const nck_decode_t *self, double *way) {
     if (!NCK_HAS_LAYOUTS) return 1.0;
     const nck_layout_t *const layout = &self->layout;
     unsigned axes[2];
-    plane_axes(self, &axes[0], &axes[1]);
+    nck_plane_axes(self, &axes[0], &axes[1]);
     double factor[2];
     if ((layout->on & NCK_LAYOUT_SYSTEM) && self->modal.plane != 17) return 0.0;
     for (unsigned k = 0; k < 2; k++) {
@@ -202,7 +201,7 @@ nck_status_t nck_layout_spares(nck_decode_t *self, unsigned axis) {
 
 int nck_layout_says_radius(const nck_decode_t *self) {
     unsigned u, v;
-    plane_axes(self, &u, &v);
+    nck_plane_axes(self, &u, &v);
     return has_word(self, nck_decode_letter(u));
 }
 
@@ -342,7 +341,7 @@ static nck_status_t rotate(nck_decode_t *self) {
     }
     status = read_centre(self, centre_nm);
     if (status != NCK_OK) return status;
-    plane_axes(self, &u, &v);
+    nck_plane_axes(self, &u, &v);
     layout->turn_nm[0] = rounded(stretch(layout, u, (double)centre_nm[u]));
     layout->turn_nm[1] = rounded(stretch(layout, v, (double)centre_nm[v]));
     const double whole = 360.0 * nck_floor(degrees / 360.0);
@@ -357,7 +356,7 @@ static void begin_polar(nck_decode_t *self) {
     int64_t at_nm[3];
     unsigned u, v;
     nck_layout_where(self, at_nm);
-    plane_axes(self, &u, &v);
+    nck_plane_axes(self, &u, &v);
     const double a = (double)at_nm[u];
     const double b = (double)at_nm[v];
     memset(layout->pole_nm, 0, sizeof layout->pole_nm);

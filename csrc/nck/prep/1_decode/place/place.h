@@ -13,6 +13,9 @@
 // constant.
 nck_status_t nck_decode_layout(nck_decode_t *self, nck_block_t *out);
 
+// First and second axis of the plane in force. Cost: constant.
+void nck_plane_axes(const nck_decode_t *self, unsigned *u, unsigned *v);
+
 // A way in the plane as it lies in the work system; returns by how much it is longer, < 0 if the
 // plane is mirrored, 0 if its axes have not the same scale. Cost: constant.
 double nck_layout_way(const nck_decode_t *self, double *way);
