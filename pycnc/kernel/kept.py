@@ -4,10 +4,8 @@
 from decimal import Decimal
 
 from pycnc.kernel.bind import check, ffi, lib
+from pycnc.names import AXES, ROTARY_AXES, WORK_SYSTEMS
 
-LETTERS = "xyzabcuvw"  # the kernel's order
-_ROTARY = "abc"
-_SYSTEMS = ("g54", "g55", "g56", "g57", "g58", "g59", "g59_1", "g59_2", "g59_3")
 _NM = Decimal(1_000_000)
 
 
@@ -21,8 +19,8 @@ def modal_of(nck):
 def present(nck):
     """Return (index, letter, unit) of every axis that the machine has."""
     axes = lib.nck_machine_of(nck).axis
-    return [(k, at, "deg" if at in _ROTARY else "mm")
-            for k, at in enumerate(LETTERS[: lib.NCK_AXIS_MAX]) if axes[k].present]  # fmt: skip
+    return [(k, at, "deg" if at in ROTARY_AXES else "mm")
+            for k, at in enumerate(AXES[: lib.NCK_AXIS_MAX]) if axes[k].present]  # fmt: skip
 
 
 def _real(value):
@@ -37,7 +35,7 @@ def settings(nck, inputs, has_inputs):
         for name, value, power in (("v_max", axis.v_max, ""), ("rapid", axis.rapid, ""),
                                    ("a_max", axis.a_max, "2")):  # fmt: skip
             found[f"axis.{at}.{name}_{unit}_s{power}"] = _real(value)
-        places = [(f"work.{name}", modal.systems_nm[row]) for row, name in enumerate(_SYSTEMS)]
+        places = [(f"work.{name}", modal.systems_nm[row]) for row, name in enumerate(WORK_SYSTEMS)]
         places += [(f"home.{name}", modal.home_nm[row]) for row, name in enumerate(("g28", "g30"))]
         found |= {f"{table}.{at}_{unit}": place[k] / _NM for table, place in places}
     if has_inputs:
@@ -46,8 +44,8 @@ def settings(nck, inputs, has_inputs):
 
 
 def _inputs(inputs, period_s):
-    homed = [at for k, at in enumerate(LETTERS) if _is_homed(inputs.order, k)]
-    ends = {f"inputs.{at}.end": "least" if inputs.reverse >> LETTERS.index(at) & 1 else "most"
+    homed = [at for k, at in enumerate(AXES) if _is_homed(inputs.order, k)]
+    ends = {f"inputs.{at}.end": "least" if inputs.reverse >> AXES.index(at) & 1 else "most"
             for at in homed}  # fmt: skip
     return ends | {
         "inputs.homing": inputs.homes != 0, "inputs.limits": inputs.limits != 0,
@@ -68,10 +66,10 @@ def record(nck, host):
           for k in range(lib.nck_joint_count(nck))}  # fmt: skip
     axes = [k for k, _, _ in present(nck)]
     return {
-        "position_nm": {LETTERS[k]: at[k] for k in axes},
-        "g92_nm": {LETTERS[k]: modal.g92_nm[k] for k in axes},
+        "position_nm": {AXES[k]: at[k] for k in axes},
+        "g92_nm": {AXES[k]: modal.g92_nm[k] for k in axes},
         "tool_nm": list(modal.tool_nm),
-        "work_system": _SYSTEMS[min(modal.work_system, len(_SYSTEMS) - 1)],
+        "work_system": WORK_SYSTEMS[min(modal.work_system, len(WORK_SYSTEMS) - 1)],
         "tool_next": modal.tool_next, "tool_in": modal.tool_in,
         "line": host.pose.line if host.serve.phase or not lib.nck_is_idle(nck) else 0,
         "moves": not lib.nck_is_idle(nck),
@@ -81,7 +79,7 @@ def record(nck, host):
 def restore(nck, host, said):
     """Take a record over; return what it was, in words."""
     modal = modal_of(nck)
-    modal.work_system = _SYSTEMS.index(said["work_system"])
+    modal.work_system = WORK_SYSTEMS.index(said["work_system"])
     modal.tool_next, modal.tool_in = said["tool_next"], said["tool_in"]
     modal.tool_nm = said["tool_nm"]
     for k, at, _ in present(nck):
@@ -108,7 +106,7 @@ def shown(nck, host):
     return {
         "state": ffi.string(lib.serve_state(ffi.addressof(serve))).decode(),
         "at": at[:3], "line": host.pose.line,
-        "axes": [[LETTERS[k].upper(), at[k], at[k] - origin[k]] for k, _, _ in present(nck)],
+        "axes": [[AXES[k].upper(), at[k], at[k] - origin[k]] for k, _, _ in present(nck)],
         "speed": host.pose.v * 60 / host.pose.feed_scale, "rpm": tick.rpm if tick.turns else 0,
         "feed": serve.feed, "rapid": serve.rapid, "spindle": serve.spindle,
         "pins": " ".join(named),

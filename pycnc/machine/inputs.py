@@ -7,8 +7,8 @@ from typing import Annotated, Literal
 from pydantic import BeforeValidator, Field
 
 from pycnc.machine.quantity import Coordinate, Number, SpeedPerMinute, Table, Travel, number
+from pycnc.names import AXES
 
-_LETTERS = "xyzabcuvw"  # the kernel's order
 _ORDER_MOST = 8  # axes that one homing takes: a nibble each
 _LOCATES = 5  # times pull_off must fit into the travel: the way of the slow approach
 _NM = 1_000_000  # in a mm or degree
@@ -74,7 +74,7 @@ class Inputs(Table):
 
     def present(self):
         """Return the axes that have switches, letter → table, in the kernel's order."""
-        return {at: getattr(self, at) for at in _LETTERS if getattr(self, at) is not None}
+        return {at: getattr(self, at) for at in AXES if getattr(self, at) is not None}
 
     def homed(self):
         """Return the letters of the axes in the order of homing."""
@@ -144,21 +144,21 @@ def switches_of(settings):
     if inputs is None:
         return None
     axes, letters = settings.axis.present(), inputs.present()
-    bits = {at: 1 << _LETTERS.index(at) for at in letters}
+    bits = {at: 1 << AXES.index(at) for at in letters}
     least = sum(bits[at] for at, switch in letters.items() if switch.end == "least")
     period = settings.kernel.period_ms
-    order = sum(_LETTERS.index(at) + 1 << 4 * k for k, at in enumerate(inputs.homed()))
+    order = sum(AXES.index(at) + 1 << 4 * k for k, at in enumerate(inputs.homed()))
     said = {
         "homes": int(inputs.homing), "limits": int(inputs.limits), "reverse": least,
         "order": order, "seek": float(inputs.seek_mm_min), "feed": float(inputs.feed_mm_min),
         "pull_off": float(inputs.pull_off_mm),
         "debounce": round(inputs.debounce_ms / period),
     }  # fmt: skip
-    place, far = [0] * len(_LETTERS), [0] * len(_LETTERS)
+    place, far = [0] * len(AXES), [0] * len(AXES)
     for at, switch in letters.items():
         end = _travel(axes[at])[switch.end == "most"]
-        place[_LETTERS.index(at)] = _nm(end if switch.at is None else switch.at)
-        far[_LETTERS.index(at)] = _nm(switch.far or 0)
+        place[AXES.index(at)] = _nm(end if switch.at is None else switch.at)
+        far[AXES.index(at)] = _nm(switch.far or 0)
     pushed = {"door": inputs.door == "open", "emergency": inputs.emergency == "pushed"}
     wires = {
         "wired": sum(bits.values()), "least": least, "place_nm": place,

@@ -30,11 +30,8 @@ from pycnc.machine.quantity import (
     Travel,
     Unit,
 )
+from pycnc.names import AXES, LINEAR_AXES, ROTARY_AXES, WORK_SYSTEMS
 
-LINEAR_AXES = ("x", "y", "z", "u", "v", "w")
-ROTARY_AXES = ("a", "b", "c")
-AXES = ("x", "y", "z", "a", "b", "c", "u", "v", "w")  # the kernel's order
-WORK_SYSTEMS = ("g54", "g55", "g56", "g57", "g58", "g59", "g59_1", "g59_2", "g59_3")
 TOLERANCE_LEAST_MM = Decimal("0.0001")  # the kernel smooths within nothing smaller
 
 

@@ -5,8 +5,8 @@ import numpy as np
 
 from pycnc import errors
 from pycnc.kernel.records import dtype, enum
+from pycnc.names import AXES
 
-_LETTERS = "xyzabcuvw"
 _KINDS = {member.name.lower(): member.value for member in enum("nck_in_kind_t")}
 _FEED_MODES = {"per_minute": 0, "inverse": 1, "per_rev": 2}
 _PATHS = {"exact": 0, "stop": 1}
@@ -31,7 +31,7 @@ def _numbers(name, values):
 def of_points(points, feed, axes, tolerance):
     """Return the rows of `Program.from_points`."""
     points, feed = _numbers("points", points), _numbers("feed", feed)
-    letters = [letter for letter in _LETTERS if letter in axes]
+    letters = [letter for letter in AXES if letter in axes]
     if points.ndim != 2 or not 1 <= points.shape[1] <= len(letters) or len(points) == 0:
         _refuse(
             f"points: an array of shape (n, k), n from 1, k from 1 to {len(letters)} "
@@ -47,7 +47,7 @@ def of_points(points, feed, axes, tolerance):
     rows = np.zeros(len(points), dtype("nck_block_in_t"))
     rows["id"] = np.arange(1, len(points) + 1)
     rows["kind"], rows["kind"][0] = _KINDS["line"], _KINDS["rapid"]
-    columns = [_LETTERS.index(letter) for letter in letters[: points.shape[1]]]
+    columns = [AXES.index(letter) for letter in letters[: points.shape[1]]]
     rows["axes"] = sum(1 << column for column in columns)
     rows["target"][:, columns] = points
     rows["feed"], rows["sets"] = feed, _SETS_FEED
@@ -81,7 +81,7 @@ def _fill(row, move, place):
     if kind not in _KINDS:
         raise ValueError(f"no kind {kind!r}; there are: {', '.join(_KINDS)}")
     own = {"arc": ("centre", "turns", "plane"), "set": ()}.get(kind, ())
-    known = (*_COMMON, *own, *(_LETTERS if kind in _MOVES else ()))
+    known = (*_COMMON, *own, *(AXES if kind in _MOVES else ()))
     known += (_VALUES[kind],) if kind in _VALUES else ()
     if strange := [key for key in move if key not in known]:
         raise ValueError(f"no {strange[0]!r} in a {kind}; there are: {', '.join(known)}")
@@ -89,7 +89,7 @@ def _fill(row, move, place):
     _set(row, move)
     if kind in _VALUES:
         row["value"] = move[_VALUES[kind]] if _VALUES[kind] in move else _missing(_VALUES[kind])
-    for axis, letter in enumerate(_LETTERS):
+    for axis, letter in enumerate(AXES):
         if letter in move:
             row["axes"] |= 1 << axis
             row["target"][axis] = move[letter]
