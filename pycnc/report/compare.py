@@ -348,15 +348,19 @@ def _follow(path_a, t_a, path_b, t_b):
         looked = slice(low, max(at + FORWARD, 2 * due - at))
         away = np.linalg.norm(path_a[looked] - point, axis=1)
         near = np.flatnonzero(away <= away.min() + chords[looked].max(initial=0.0)) + low
-        at = _settle(path_a, int(near[np.argmin(np.abs(near - due))]), low, point)
-        found = _on_polyline(path_a, at, point)
+        at, found = _most_in_time(path_a, near, due, low, point)
         if found[1] - away.min() > chords[max(at - 1, 0) : at + 1].max(initial=0.0):
             near = np.flatnonzero(away < found[1]) + low
-            at = _settle(path_a, int(near[np.argmin(np.abs(near - due))]), low, point)
-            found = _on_polyline(path_a, at, point)
+            at, found = _most_in_time(path_a, near, due, low, point)
         place[k], distance[k] = found
         high = max(high, at)
     return place, distance
+
+
+def _most_in_time(path, near, due, low, point):
+    """Return the vertex of `near` that is next to what is due, settled, and the place beside it."""
+    at = _settle(path, int(near[np.argmin(np.abs(near - due))]), low, point)
+    return at, _on_polyline(path, at, point)
 
 
 def _settle(path, at, low, point):
