@@ -182,19 +182,17 @@ def _answers(talk):
             raise Broken(f"{said!r} is no answer")
 
 
-def _operate(talk, draw):
-    """Do something that an operator may, at a random moment."""
+OFTEN = ((0.02, HOLD), (0.05, RESUME), (0.08, OVERRIDES), (0.16, b"?"), (0.162, b"\x84"))
+
+
+def operate(talk, draw, chances=OFTEN):
+    """Do something that an operator may, at a random moment; one of several overrides."""
     kind = draw.random()
-    if kind < 0.02:
-        talk.send(HOLD)
-    elif kind < 0.05:
-        talk.send(RESUME)
-    elif kind < 0.08:
-        talk.send(bytes([draw.choice(OVERRIDES)]))
-    elif kind < 0.16:
-        talk.send(b"?")
-    elif kind < 0.162:
-        talk.send(b"\x84")
+    wanted = next((what for most, what in chances if kind < most), None)
+    if wanted is OVERRIDES:
+        wanted = bytes([draw.choice(OVERRIDES)])
+    if wanted is not None:
+        talk.send(wanted)
 
 
 def stream(lines, draw, talk):
@@ -207,7 +205,7 @@ def stream(lines, draw, talk):
                 raise Broken(f"line {at + 1} finds no room, though it was counted")
             lengths.append(len(data))
             at += 1
-        _operate(talk, draw)
+        operate(talk, draw)
         talk.wait(draw.choice((1, 2, 5, 20, 60)))
         before = len(answers)
         answers += _answers(talk)

@@ -11,28 +11,14 @@ import random
 import sys
 import time
 
-from serving_runs import HOLD, OVERRIDES, RESUME, RING, Broken, Talk, end_of, mill
+from serving_runs import HOLD, OVERRIDES, RESUME, RING, Broken, Talk, end_of, mill, operate
 
 from pycnc.bench import corpus
 
 STEP, ASK = 10, 100  # ticks between two looks, and between two ?
+SELDOM = ((0.0005, HOLD), (0.005, RESUME), (0.008, OVERRIDES))
 FREE = {f"axis.{axis}.{end}_mm": 2000 * sign
         for axis in "xyz" for end, sign in (("min", -1), ("max", 1))}  # fmt: skip
-
-
-def operate(talk, draw, passed):
-    """Be an operator; return how many reports were asked for."""
-    kind = draw.random()
-    if kind < 0.0005:
-        talk.send(HOLD)
-    elif kind < 0.005:
-        talk.send(RESUME)
-    elif kind < 0.008:
-        talk.send(bytes([draw.choice(OVERRIDES)]))
-    if passed % ASK:
-        return 0
-    talk.send(b"?")
-    return 1
 
 
 def stream(lines, talk, draw):
@@ -43,7 +29,10 @@ def stream(lines, talk, draw):
             talk.send(lines[sent].encode() + b"\n")
             lengths.append(len(lines[sent]) + 1)
             sent += 1
-        asked += operate(talk, draw, passed)
+        operate(talk, draw, SELDOM)
+        if passed % ASK == 0:
+            talk.send(b"?")
+            asked += 1
         talk.wait(STEP)
         passed += STEP
         answers = [said for said in talk.said if not said.startswith("<")]
