@@ -39,7 +39,7 @@ def test_the_line_ends_where_its_angle_leads(seed, draw_seed):
         sine, cosine = math.sin(math.radians(angle)), math.cos(math.radians(angle))
         said = 0 if abs(cosine) > abs(sine) else 1
         place = round(rng.uniform(-reach, reach), 3)
-        way = place - at[said]
+        way = round(place - at[said], 6) if steps else place - at[said]  # as it is written
         rest = way * (sine / cosine if said == 0 else cosine / sine)
         at[said] += way
         at[1 - said] += rest
