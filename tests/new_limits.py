@@ -26,7 +26,7 @@ PAUSE = 50  # ticks, from when the operator goes on until he begins to count aga
 SLOPES = ("linear", "jerk", "optimal")
 ANSWERS = ("hold", "override", "speed")
 SHARE = 1.05  # of a limit, as in stop_gate.py
-SOME = 0.02  # of the cases may pass it: where the tick brakes by itself
+SOME = 0.005  # of the cases may pass it: where the tick goes on again
 JUMP = 5  # times a jerk: what passes it is a jump
 
 

@@ -94,13 +94,6 @@ static int is_planned(const nck_t *nck) {
            && nck_lookahead_is_settled(&nck->lookahead);
 }
 
-// Whoever answers the operator along a clocked path goes by the clock of now, which hangs on
-// limits: so it has to be executed. Other plans have what they need in their cells and pieces.
-static int is_free(const nck_t *nck) {
-    const nck_link_t *const link = &nck->link;
-    return !(nck->terms.knot_s > 0.0) || nck_link_finished(link) == link->seg_head;
-}
-
 static void take_limits(nck_machine_t *machine, const nck_machine_t *from) {
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         nck_axis_t *const axis = &machine->axis[x];
@@ -123,7 +116,8 @@ nck_status_t nck_set_limits(nck_t *nck, const nck_machine_t *machine) {
         nck_flush(nck);
         return NCK_FULL;
     }
-    if (!is_free(nck)) return NCK_FULL;
+    // An answer to the operator goes by the limits of now, so nothing is left of those before.
+    if (nck_link_finished(&nck->link) != nck->link.seg_head) return NCK_FULL;
     take_limits(&nck->machine, machine);
     nck_slope_terms(&nck->machine, &nck->terms);
     nck_smooth_adapt(&nck->smooth);

@@ -236,16 +236,33 @@ static inline int lacks_pieces(nck_t *nck) {
     return nck_slope_lacks(&nck->slope, &pieces);
 }
 
+static uint32_t larger(uint32_t one, uint32_t other) { return one > other ? one : other; }
+
+// What the operator asks for. While the tick goes along a clocked path by its own clock, it counts
+// on the plan that it has and rests by itself: the slope hears later of what makes a plan slower.
+static void hear(nck_t *nck, uint32_t stopped) {
+    nck_command_t *const heard = &nck->wire.heard;
+    const nck_command_t before = *heard;
+    const uint32_t clock = nck_interpolate_clock(&nck->interpolate);
+    nck_asked(nck, heard);
+    heard->hold |= stopped;
+    if (!NCK_HAS_OPTIMAL || clock == NCK_CLOCK_RUNS || !nck_slope_is_clocked(&nck->slope)) return;
+    heard->hold &= before.hold;
+    if (clock == NCK_CLOCK_STANDS) return; // any plan may be set off along
+    heard->single_block &= before.single_block;
+    heard->feed_ppm = larger(heard->feed_ppm, before.feed_ppm);
+    heard->rapid_ppm = larger(heard->rapid_ppm, before.rapid_ppm);
+    heard->speed_um_s = larger(heard->speed_um_s, before.speed_um_s);
+}
+
 // lookahead ─▶ slope ─▶ plans and final cells.
 static nck_status_t step_slope(nck_t *nck) {
     const uint32_t stopped = is_stopped(nck);
     const uint32_t hold = nck_fence_load(&nck->command.hold) | stopped;
     if (lacks_pieces(nck) && is_heard(nck, hold)) return (nck_status_t)nck->slope.idle.status;
     const nck_pieces_t pieces = pieces_of(nck);
-    nck_command_t *const heard = &nck->wire.heard;
-    nck_asked(nck, heard);
-    heard->hold |= stopped;
-    const nck_wish_t wish = wish_of(heard);
+    hear(nck, stopped);
+    const nck_wish_t wish = wish_of(&nck->wire.heard);
     const nck_status_t status = nck_slope_step(&nck->slope, &pieces, &wish);
     drop_before(nck, nck_slope_needs(&nck->slope));
     return status;

@@ -210,9 +210,9 @@ void nck_set_override(nck_t *nck, uint32_t feed_ppm, uint32_t rapid_ppm);
 // Change limits between blocks: of every axis v_max, rapid, a_max and j_max, of the path feed_max,
 // a_max, j_max, chord_error and tolerance (what a bare G64 means from the next one on). The rest of
 // `machine` must be valid and counts for nothing. They hold for what is pushed afterwards; the path
-// comes to rest between. What waits is flushed first: NCK_FULL until it is planned (call nck_prep,
-// then again), where paths are clocked (path.slope = "optimal") until it is executed. A change of
-// feed or of tolerance alone needs no rest: see nck_block_in_t.
+// comes to rest between. What waits is flushed first: NCK_FULL until it is executed (call nck_prep,
+// then again), since an answer to the operator goes by one set of limits. A change of feed or of
+// tolerance alone needs no rest: see nck_block_in_t.
 // Returns NCK_OK, NCK_FULL; NCK_E_MACHINE or NCK_E_UNSUPPORTED as nck_init.
 // Cost: constant. Context: prep.
 nck_status_t nck_set_limits(nck_t *nck, const nck_machine_t *machine);

@@ -6,19 +6,20 @@ import new_limits
 import pytest
 
 SEEDS = 20_000
-# Of the cases so many may pass a limit: where the tick brakes, and goes on. Some still jump there
-# (seed 2066 by 1.10 of an acceleration, 2072 by 21 of a jerk): tests/new_limits.py tells them.
-SOME = 1 / 12
+# Of the cases so many may pass a limit, for a period, where the tick sets off again and a new plan
+# comes: 3 of 1500 did, by a quarter at most.
+SOME = 1 / 100
 TRIED = {"quick": 5, "suite": 60, "whole": 600}
 
 
-@pytest.mark.parametrize("part", range(5))
-def test_no_axis_passes_both_limits_along_a_clocked_path(part, draw, draw_seed):
-    count = TRIED[draw] // 5
-    begin = (draw_seed * 5 + part) * count % SEEDS
-    told = [new_limits.try_seed(seed, "optimal") for seed in range(begin, begin + count)]
+@pytest.mark.parametrize("slope", ["linear", "jerk", "optimal"])
+def test_no_axis_passes_both_limits(slope, draw, draw_seed):
+    count = TRIED[draw]
+    begin = draw_seed * count % SEEDS
+    told = [new_limits.try_seed(seed, slope) for seed in range(begin, begin + count)]
     beyond = [each.case.seed for each in told if each.is_beyond()]
-    assert len(beyond) <= max(2, SOME * count), beyond
+    assert len(beyond) <= max(1, SOME * count), beyond
+    assert not any(each.jumps() for each in told), beyond
 
 
 # The clock's step was that of the new limits, the path's that of the old: jerks of 36 to 1300 times
@@ -30,6 +31,13 @@ def test_a_path_that_is_planned_keeps_its_clock(seed):
 
 # A clock that set off ran on beyond the plan's time, since the plan of a hold brakes as hard as its
 # axes can, and nothing allowed it to ease off: 92 to 3 million times the limit of jerk.
-@pytest.mark.parametrize("seed", [5134, 5318, 5373])
+# … and it came while the clock set off (2072, 5348): nothing slower is planned then any more.
+@pytest.mark.parametrize("seed", [2072, 5134, 5318, 5348, 5373])
 def test_a_clock_that_sets_off_never_overtakes_the_plan(seed):
-    assert not new_limits.try_seed(seed, "optimal").jumps()
+    assert not new_limits.try_seed(seed, "optimal").is_beyond()
+
+
+# What was planned was braked by limits that came later: 3.9 to 15.6 times those of jerk.
+@pytest.mark.parametrize("seed", [5367, 5485, 5537, 5635])
+def test_a_brake_keeps_the_limits_of_what_it_brakes(seed):
+    assert not new_limits.try_seed(seed, "jerk").is_beyond()

@@ -121,6 +121,11 @@ static inline int nck_slope_is_answering(const nck_slope_t *self) {
     return self->answer.pending != 0;
 }
 
+// 1 if the plans of now are along a clocked path. Cost: constant. Context: prep.
+static inline int nck_slope_is_clocked(const nck_slope_t *self) {
+    return self->kind_in_force == NCK_SLOPE_OPTIMAL;
+}
+
 // 1 if the plan in force brings the rest that a hold or an override of 0 asks for. Cost: constant.
 // Context: any.
 static inline int nck_slope_brakes(const nck_slope_t *self) {

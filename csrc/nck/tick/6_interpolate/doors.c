@@ -10,6 +10,11 @@ int nck_interpolate_stands(const nck_interpolate_t *self) {
     return nck_fence_load(&self->stands) != 0;
 }
 
+uint32_t nck_interpolate_clock(const nck_interpolate_t *self) {
+    if (!nck_fence_load(&self->has_cell)) return NCK_CLOCK_RUNS;
+    return nck_fence_load(&self->clock.state);
+}
+
 int nck_interpolate_is_waiting(const nck_interpolate_t *self) {
     return nck_fence_load(&self->waits) && !nck_fence_load(&self->resume);
 }
@@ -87,9 +92,17 @@ static void see_ahead(const nck_interpolate_t *self, nck_watched_t *seen) {
     seen->ahead_gain = (cell->a + cell->j * (now - self->t_cell)) * self->machine->period_s;
 }
 
+// The tick brakes at once: the plan leaves the rest to it, or none that brakes comes (nck.c).
+static int brakes_at_once(const nck_interpolate_t *self) {
+    if (!self->has_cell) return 0;
+    const int sets_off = self->clock.state == NCK_CLOCK_SETS_OFF;
+    return (self->cell.stop & NCK_STOP_SLOW)
+           || (sets_off && nck_look_is_clocked(nck_link_seg(self->link, self->cell.seg)));
+}
+
 void nck_interpolate_watch(nck_interpolate_t *self, int asks, int planned, uint32_t steps) {
     const int stands = self->clock.state == NCK_CLOCK_STANDS; // a rest that is asked for is here
-    const int slow = stands || (self->has_cell && (self->cell.stop & NCK_STOP_SLOW));
+    const int slow = stands || brakes_at_once(self);
     nck_watched_t seen = {asks, planned, slow, steps, (int)self->from_tail, self->pose.v, 0.0, 0.0};
     if (asks) see_ahead(self, &seen);
     self->brakes = (uint32_t)nck_watch_tick(&self->watch, self->terms, &seen);

@@ -78,6 +78,10 @@ void nck_interpolate_stop(nck_interpolate_t *self, nck_halt_t *halt);
 // and a rest end as they would. Cost: constant. Context: tick.
 void nck_interpolate_watch(nck_interpolate_t *self, int asks, int planned, uint32_t steps);
 
+// What the clock does, an nck_clock_state_t; it runs where there is no plan. Cost: constant.
+// Context: any.
+uint32_t nck_interpolate_clock(const nck_interpolate_t *self);
+
 // 1 if it has come to rest by that in the middle of a plan. Cost: constant. Context: any.
 int nck_interpolate_stands(const nck_interpolate_t *self);
 
