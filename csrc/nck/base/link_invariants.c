@@ -11,15 +11,22 @@
 // What the cells so far have come to.
 typedef struct chain {
     uint32_t cells; // 0: nothing is known of what was before
-    double v;       // at the end of the last one [path mm/s]
+    double v;       // at the end of the last one [path mm/s], of a clocked path per seg [1/s]
 } chain_t;
 
+// What a cell's speed counts in: the coordinate of a clocked seg is its own.
+static double unit_of(const nck_link_t *self, const nck_cell_t *cell) {
+    const nck_seg_t *const seg = nck_link_seg(self, cell->seg);
+    return NCK_HAS_OPTIMAL && seg->keeps == NCK_KEEP_CLOCK ? seg->length : 1.0;
+}
+
 // Whether a cell goes on from those before it.
-static int follows(chain_t *chain, const nck_cell_t *cell) {
+static int follows(const nck_link_t *self, chain_t *chain, const nck_cell_t *cell) {
+    const double unit = unit_of(self, cell);
     const double scale = 1.0 + cell->v;
-    const int good = chain->cells == 0 || nck_fabs(cell->v - chain->v) <= SEAM * scale;
+    const int good = chain->cells == 0 || nck_fabs(cell->v - chain->v * unit) <= SEAM * scale;
     chain->cells++;
-    chain->v = nck_cell_speed(cell, cell->duration);
+    chain->v = nck_cell_speed(cell, cell->duration) / unit;
     if (cell->stop & NCK_STOP_REST) chain->v = 0.0;
     return good && chain->v >= -SEAM * scale;
 }
@@ -30,7 +37,7 @@ static int tail_rests(const nck_link_t *self, uint32_t end, chain_t *chain) {
     const nck_cell_t *cell = nck_link_tail_cell(self, end);
     (void)nck_link_tail_end(self, &count);
     if (count == 0) return 1;
-    while (cell && follows(chain, cell)) {
+    while (cell && follows(self, chain, cell)) {
         end = (end + 1) & NCK_LINK_COUNT_MASK;
         cell = nck_link_tail_cell(self, end);
     }
@@ -56,7 +63,7 @@ int nck_link_invariants(const nck_link_t *self) {
                && !self->broken;
     for (uint32_t i = 0; good && i < waiting; i++) {
         const nck_cell_t *const cell = &self->cell[(self->taken + i) & (NCK_CELL_MAX - 1)];
-        good = follows(&chain, cell) && self->seg_head - cell->seg <= NCK_SEG_MAX;
+        good = follows(self, &chain, cell) && self->seg_head - cell->seg <= NCK_SEG_MAX;
     }
     return good && (entered || tail_rests(self, end, &chain));
 }
