@@ -154,7 +154,28 @@ def test_klipper_is_the_oracle_s(seed):
     found = time_of(
         _text(points, feed), klipper(square_corner_velocity=corner, minimum_cruise_ratio=0)
     )
-    assert found == pytest.approx(oracle.klipper(points, feed, 100, 1000, corner), rel=1e-9)
+    limits = [(1000, corner)] * (len(points) - 1)
+    assert found == pytest.approx(oracle.klipper(points, feed, 100, limits), rel=1e-9)
+
+
+@pytest.mark.sample(12)
+@pytest.mark.parametrize("seed", range(1000))
+def test_a_line_of_klipper_keeps_the_limits_that_held_as_it_came(seed, draw_seed):
+    rng = random.Random(seed + draw_seed)
+    points, feed = _walk(rng, 200, 10 ** rng.uniform(-1, 1)), rng.choice((20, 60, 150))
+    head, *moves = _text(points, feed).rsplit("\n", len(points))
+    a, corner, limits = 1000, 5, []
+    for k in range(len(points) - 1):
+        if rng.random() < 0.2:
+            a, corner = rng.choice((300, 1500, 9000)), rng.choice((1, 5, 12))
+            words = rng.choice((f"SET_VELOCITY_LIMIT ACCEL={a}", f"M204 S{a}",
+                                f"M204 P{a} T{a + 9}"))  # fmt: skip
+            more = f"SET_VELOCITY_LIMIT SQUARE_CORNER_VELOCITY={corner}"
+            moves[k] = f"{words}\n{more}\n{moves[k]}"
+        limits.append((a, corner))
+    machine = klipper(square_corner_velocity=5, minimum_cruise_ratio=0)
+    found = time_of("\n".join([head, *moves]), machine)
+    assert found == pytest.approx(oracle.klipper(points, feed, 100, limits), rel=1e-9)
 
 
 @pytest.mark.parametrize("seed", range(12))
