@@ -161,7 +161,8 @@ def grbl(source):
         source.axis(letter, "a_max", [("$", f"{120 + k}")])
         travel, comment = source.number(("$", f"{130 + k}"))
         if travel and travel < 0:
-            source.draft.problems.append((comment, "a travel has no sign: grbl's is below its home"))
+            words = "a travel has no sign: it is below grbl's home"
+            source.draft.problems.append((comment, words))
         elif travel:
             source.draft.axis(letter, "min", -travel, comment)
             source.draft.axis(letter, "max", Decimal(0), "homed at the upper end, as grbl does")

@@ -256,6 +256,25 @@ def test_a_limit_in_the_program_holds_from_there():
         assert both == pytest.approx(fast + slow, rel=1e-9), word
 
 
+@pytest.mark.parametrize("kind", ["klipper", "marlin"])
+@pytest.mark.parametrize("seed", range(6))
+def test_m220_is_a_share_of_every_feed_behind_it(kind, seed):
+    rng = random.Random(seed)
+    said, scaled, share = ["G21 G90"], ["G21 G90"], 100
+    for k in range(40):
+        if rng.random() < 0.3:
+            share = rng.choice((25, 50, 100, 200))
+            said.append(f"M220 S{share}")
+            scaled.append("M106 S9")
+        feed, move = rng.choice((600, 2400)), rng.choice(("G0", "G1"))
+        place = f"X{rng.uniform(0, 90):.2f} Y{rng.uniform(0, 90):.2f}"
+        said.append(f"{move} {place} F{feed}")
+        scaled.append(f"{move} {place} F{feed * share / 100:g}")
+    machine = machine_of(kind)
+    found, expected = (time_of("\n".join(lines), machine) for lines in (said, scaled))
+    assert found == pytest.approx(expected, rel=1e-9)
+
+
 def test_macros_are_told_once_and_skipped():
     text = "START_PRINT BED=60\nG21\nG90\n" + "EXCLUDE_OBJECT_START NAME=a\nG1 X10 F600\n" * 3
     program = load(text.encode(), klipper())
@@ -266,6 +285,12 @@ def test_macros_are_told_once_and_skipped():
     severities = {each.severity for each in load(text.encode(), named).diagnostics}
     assert severities == {"note"}
     assert program.text != text.encode() and len(program.text) == len(text)
+
+
+@pytest.mark.parametrize("name", ["_CLEAN_NOZZLE", "STATUSES", "SET_PINS_UP", "PRIME"])
+def test_a_macro_whose_name_says_nothing_may_move(name):
+    program = load(f"G21 G90\n{name}\nG1 X9 F900\n", klipper())
+    assert program.diagnostics.counts["macro-own"] == 1
 
 
 def test_what_if_tells_this_kernel_and_the_control_s_own_settings():
