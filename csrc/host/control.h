@@ -87,6 +87,7 @@ typedef struct nck_host_control_line {
     double smooth_cap, smooth_gain; // Klipper: the same under the minimum cruise ratio
     double reach;              // Klipper: cap of all before it, too, v²
     double start, cruise;      // Klipper: planned, v²
+    double bend;               // Klipper: δ a, by the limits that held as it came [mm²/s²]
     double angle;              // of the corner at its start [rad]
     double out[3];             // LinuxCNC: direction of the tool at its end
     double end[NCK_AXIS_MAX];  // where it ends [mm, deg]

@@ -60,6 +60,8 @@ static void limit_klipper(const nck_host_control_t *self, nck_host_control_line_
         line->a = nck_min(line->a, value(self, NCK_CONTROL_A_EXTRUDE) / nck_fabs(e));
     }
     line->gain = 2.0 * line->a * line->length;
+    line->bend = line->a * nck_control_square_corner(value(self, NCK_CONTROL_CORNER),
+                                                     value(self, NCK_CONTROL_A_PATH));
     line->smooth_gain = nck_min(line->gain, 2.0 * line->length * (1.0 - slow)
                                             * value(self, NCK_CONTROL_A_PATH));
 }
@@ -126,9 +128,6 @@ static double cosine_of_tool(const nck_host_control_line_t *in,
 static double cap_klipper(const nck_host_control_t *self, const nck_host_control_line_t *in,
                           const nck_host_control_line_t *out) {
     const double change = out->unit[NCK_CONTROL_E] - in->unit[NCK_CONTROL_E];
-    const double v = value(self, NCK_CONTROL_CORNER);
-    const double most = value(self, NCK_CONTROL_A_PATH);
-    const double deviation = nck_control_square_corner(v, most);
     double cap = DBL_MAX;
     if (in->lone || out->lone) return 0.0;
     if (change != 0.0) { // exactly 0: E as before
@@ -137,7 +136,7 @@ static double cap_klipper(const nck_host_control_t *self, const nck_host_control
     }
     const double c = cosine_of_tool(in, out);
     if (1.0 - nck_control_half(1.0 - c) <= 0.0 || nck_control_half(1.0 + c) <= 0.0) return cap;
-    cap = nck_min(cap, nck_control_deviation(c, nck_min(in->a, out->a), deviation));
+    cap = nck_min(cap, nck_control_deviation(c, nck_min(in->bend, out->bend), 1.0));
     return nck_min(cap, nck_control_mid_line(c, nck_min(in->gain, out->gain)));
 }
 

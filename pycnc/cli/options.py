@@ -170,13 +170,6 @@ By = Annotated[
     ),
 ]
 WhatIf = Annotated[
-    bool,
-    typer.Option(
-        "--what-if",
-        help="Plan it again with each cure: twice the limits of the axes, a tolerance, no stops.",
-    ),
-]
-WhatIfs = Annotated[
     list[str] | None,
     typer.Option(
         "--what-if", metavar="[KEY=VALUE]", autocompletion=settings_of,

@@ -31,7 +31,6 @@ from pycnc.cli.options import (
     Table,
     Tools,
     WhatIf,
-    WhatIfs,
     Zero,
 )
 from pycnc.cli.words import (
@@ -184,7 +183,7 @@ def _run_at(machine, file, override, as_json, quiet):
 
 @verb(app, "why part.ngc --what-if", cls=OptionalValue)
 def why(
-    *, file: File, what_if: WhatIfs = None, output: Table = None, machine: MachineName = DEFAULT,
+    *, file: File, what_if: WhatIf = None, output: Table = None, machine: MachineName = DEFAULT,
     dialect: DialectName = None, slope: SlopeName = None, set: Set = None, tools: Tools = None,
     zero: Zero = None, json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
@@ -222,9 +221,9 @@ def why(
     return GOOD
 
 
-@verb(app, "report part.ngc")
+@verb(app, "report part.ngc", cls=OptionalValue)
 def report(
-    *, file: File, output: Page = None, what_if: WhatIf = False, machine: MachineName = DEFAULT,
+    *, file: File, output: Page = None, what_if: WhatIf = None, machine: MachineName = DEFAULT,
     dialect: DialectName = None, slope: SlopeName = None, set: Set = None, tools: Tools = None,
     zero: Zero = None, json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
@@ -234,6 +233,7 @@ def report(
     """
     output = _page_of(file, output)
     mill = machine_of(machine, set, tools, dialect, slope=slope, zero=zero, quiet=quiet)
+    tell_idle(mill, [change for change in what_if or () if change != CURES], quiet)
 
     def lines(_found):
         return [output]

@@ -55,9 +55,10 @@ class Draft:
 
     def complete(self, letters):
         """Fill in what follows: jerk, and a start within the travel. Tell what is missing."""
+        is_read = not self.problems  # else what is missing may be what cannot be read
         for letter in letters:
             for quantity in ("v_max", "a_max"):
-                if self.limit(letter, quantity) is None:
+                if is_read and self.limit(letter, quantity) is None:
                     self.problems.append((f"axis.{letter}", f"no {quantity} for it in the file"))
             a_max = self.limit(letter, "a_max")
             if a_max is not None and self.limit(letter, "j_max") is None:

@@ -47,7 +47,9 @@ class Source:
                 if _NUMBER.fullmatch(setting.value):
                     return Decimal(setting.value), setting.told
                 place, _, text = setting.told.partition(": ")
-                self.draft.problems.append((place, f"{setting.value!r} is no number: {text}"))
+                problem = place, f"{setting.value!r} is no number: {text}"
+                if problem not in self.draft.problems:
+                    self.draft.problems.append(problem)
                 return None, ""
         return None, ""
 

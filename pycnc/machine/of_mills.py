@@ -147,6 +147,10 @@ def _arcs(source, unit):
     source.draft.put("path.arc_radius_mm", told * _MM[named], comment)
 
 
+def _without_travel(source, letter):
+    source.draft.left.append(f"travel of {letter.upper()}: none in the source; taken as free")
+
+
 def grbl(source):
     """Fill in what $$ and $I print; return the letters of its axes."""
     has = source.settings
@@ -156,9 +160,14 @@ def grbl(source):
         source.axis(letter, "v_max", [("$", f"{110 + k}")], 1 / Decimal(60))
         source.axis(letter, "a_max", [("$", f"{120 + k}")])
         travel, comment = source.number(("$", f"{130 + k}"))
-        if travel:
+        if travel and travel < 0:
+            words = "a travel has no sign: it is below grbl's home"
+            source.draft.problems.append((comment, words))
+        elif travel:
             source.draft.axis(letter, "min", -travel, comment)
             source.draft.axis(letter, "max", Decimal(0), "homed at the upper end, as grbl does")
+        else:
+            _without_travel(source, letter)
         source.own(f"steps_per_mm.{letter}", [("$", f"{100 + k}")])
     source.path("path.chord_error_mm", [("$", "12")])
     source.path("spindle.rpm_max", [("$", "30")])
@@ -195,6 +204,8 @@ def fluidnc(source):
             ends = (at - travel, at) if up else (at, at + travel)
             for end, place in zip(("min", "max"), ends, strict=True):
                 source.draft.axis(letter, end, place, comment)
+        else:
+            _without_travel(source, letter)
         source.own(f"steps_per_mm.{letter}", [(own, "steps_per_mm")], Decimal(80))
     named = [each for each in source.form.heads.values() if each.startswith("kinematics.")]
     for name in (each.removeprefix("kinematics.") for each in named):

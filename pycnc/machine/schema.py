@@ -485,6 +485,8 @@ def _position_contradictions(name, position, axes, travel):
         if not travel:
             continue
         low, high = (getattr(axes[letter], f"{end}_{unit_of(letter)}") for end in ("min", "max"))
+        if low is not None and high is not None and low >= high:
+            continue  # told as the axis' own
         if (low is not None and value < low) or (high is not None and value > high):
             yield key, f"must be within the travel {_bound(low)} … {_bound(high)} (is {value})"
 

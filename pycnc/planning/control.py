@@ -24,6 +24,7 @@ _KINDS = {
 }  # fmt: skip
 _LINES = 16384  # of Klipper that are planned together
 _LINES_LEAST = 1024
+_SPEED_OF_ALL = 220  # M220 S: percent of the speed of all moves
 _STRETCHES = 65536  # rows at a time; more, where one block has more of them
 FREE = 1e12  # mm/s, mm/s²: no limit
 _NOBODY_S_MM = Decimal("0.0101010101")
@@ -227,7 +228,7 @@ class Planner:
 
     def __init__(self, program, shares=None, override=1.0, traced=False):
         machine = self._machine = program.machine
-        self._override = override
+        self._override, self._speed = override, 1.0
         self._program, self._rule = program, rule_of(machine)
         self._bare = _bare(machine)
         if self._bare is not None:
@@ -300,16 +301,28 @@ class Planner:
         return self._stretches[: trace.stretch_count], self._feet[: trace.foot_count]
 
     def _overridden(self, blocks):
-        """Return blocks at the speeds that the override leaves of them."""
-        if self._override == 1:
+        """Return blocks at the speeds that the override leaves of them, and M220 of a printer."""
+        prints = self._machine.settings.control.kind in PRINTERS
+        share = self._override * self._said(blocks) if prints else self._override
+        if np.all(share == 1):
             return blocks
         blocks = copied(blocks)
-        if self._machine.settings.control.kind in PRINTERS:
-            scaled = np.ones(len(blocks), bool)
-        else:
-            scaled = blocks["kind"] != lib.NCK_BLOCK_RAPID
-        blocks["feed"][scaled] *= self._override
+        scaled = prints | (blocks["kind"] != lib.NCK_BLOCK_RAPID)
+        blocks["feed"] *= np.where(scaled, share, 1.0)
         return blocks
+
+    def _said(self, blocks):
+        """Return the share of the speed that the program itself says, M220 S, of each block."""
+        told = blocks["output"]
+        says = (blocks["kind"] == lib.NCK_BLOCK_OUTPUT) & (told["number"] == _SPEED_OF_ALL)
+        says &= (told["kind"] == lib.NCK_OUTPUT_SETTING) & (told["value"] > 0)
+        if not says.any():
+            return self._speed
+        shares = np.full(len(blocks), self._speed)
+        for place in np.flatnonzero(says):
+            shares[place:] = told["value"][place] / 100
+        self._speed = shares[-1]
+        return shares
 
     def _pieces(self):
         if self._bare is None:

@@ -14,6 +14,7 @@ _PRINTS = re.compile(
     rb"(N\d+ *)?(M(104|109|140|190|82|83)\b|G1 .*\bE-?[\d.])|" + _MACROS.pattern, re.IGNORECASE
 )  # fmt: skip
 _TURNS = re.compile(rb"G96\b|G50 *S|\bT\d{4}\b|G7[0-3]\b.*\b[PQ] *\d+|\b[UW]-?[\d.]", re.IGNORECASE)
+_FANUCS_TURNS = re.compile(rb"G50 *S|\bT\d{4}\b|\b[UW]-?[\d.]", re.IGNORECASE)
 _CROSS = re.compile(rb"\bY *-?[\d.]", re.IGNORECASE)
 _ROTARY = re.compile(rb"(?<![A-Z])([ABC]) *-?[\d.]", re.IGNORECASE)
 
@@ -26,6 +27,7 @@ _BEAMS, _POWERS = 3, 2  # cuts that say S, and with how many values, that no spi
 Kind = namedtuple("Kind", "name line source options cures")
 
 _STRANGE_TO_MACROS = frozenset({"expression"})
+_STRANGE_TO_LATHES = frozenset({"tool-unknown", "comp-radius", "comp-entry"})
 _STRANGE = frozenset({"axis-unknown", "word-unknown", "other-base", "m-unknown", "word-unused",
                       "number", "character", "unsupported"})  # fmt: skip
 
@@ -58,9 +60,10 @@ def _turning(lines, machine):
     lathe = machine.settings.kinematics.type == "lathe_xz"
     if lathe or across or not sign:
         return None
-    dialect = dialect_of(b"\n".join(lines))[0]
-    options = "-m lathe_fanuc" if dialect == "fanuc" else "-m cak6150n --dialect linuxcnc"
-    return Kind("a lathe's program", *sign, options, _STRANGE)
+    dialect, told, _ = dialect_of(b"\n".join(lines))
+    fanuc = dialect == "fanuc" or (not told and any(map(_FANUCS_TURNS.search, lines)))
+    options = "-m lathe_fanuc" if fanuc else "-m cak6150n --dialect linuxcnc"
+    return Kind("a lathe's program", *sign, options, _STRANGE | _STRANGE_TO_LATHES)
 
 
 def _rotary(lines, machine):
@@ -68,7 +71,8 @@ def _rotary(lines, machine):
     letters = {match[1].decode().lower() for _, line in found for match in _ROTARY.finditer(line)}
     if len(found) < 2 or letters <= set(machine.axes) or not letters <= {"a", "c"}:
         return None
-    return Kind("a program for axes that turn", *found[0], "-m mill5_xyzac", {"axis-unknown"})
+    options = "-m mill4" if letters == {"a"} else "-m mill5_xyzac"
+    return Kind("a program for axes that turn", *found[0], options, {"axis-unknown"})
 
 
 def _laser(lines, machine):

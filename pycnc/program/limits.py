@@ -18,7 +18,7 @@ STILL = (
     "SET_GCODE_VARIABLE", "SAVE_VARIABLE", "SAVE_GCODE_STATE", "SET_RETRACTION", "SET_TMC",
     "SET_IDLE_TIMEOUT", "SET_PRINT_STATS_INFO", "SET_STEPPER_ENABLE", "TURN_OFF_HEATERS",
     "TEMPERATURE_WAIT", "ACTIVATE_EXTRUDER", "BED_MESH_PROFILE", "BED_MESH_CLEAR", "RESPOND",
-    "STATUS", "_",
+    "STATUS",
 )  # fmt: skip
 # Long enough to be no word of a letter and a number, and no O word.
 _MACRO = re.compile(rb"(?m)^([ \t]*)([A-Za-z_][A-Za-z_][A-Za-z0-9_]*)(?=[ \t;#\r\n]|\Z)")
@@ -66,7 +66,7 @@ def veil(text, machine):
     veiled.original = original
     findings = []
     for name, place in sorted(firsts.items(), key=lambda item: item[1]):
-        known = name in still or name.startswith(STILL)
+        known = name in still or any(f"{name}_".startswith(f"{each}_") for each in STILL)
         line = original.count(b"\n", 0, place) + 1
         findings.append((line, "macro-still" if known else "macro-own", name, counts[name]))
     return veiled, findings

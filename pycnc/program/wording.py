@@ -260,7 +260,8 @@ WORDING = {
     ),
     "label-missing": (
         "what is called or jumped to is not in the text",
-        "add the subprogram (O…) or the line (N…) to the same file",
+        "add the line (N…) or the subprogram (O…) to the same file, or say which folder has its "
+        "file: --programs DIR",
     ),
     "flow": (
         "a control word without its other end",

@@ -228,6 +228,11 @@ MOTION = {
         "a control may read the factor {letter}{value} as {value}, as thousandths, or less",
         "write a point ({letter}{value}.) or say what 1 means: --set dialect.scale_unit=0.001",
     ),
+    **dict.fromkeys(("modal-group:G28", "modal-group:G30"), (
+        "{found} excludes another code of its block, which moves, too",
+        "put one of the two codes on a line of its own; if the program is written for Fanuc, which "
+        "takes both: --dialect fanuc",
+    )),
     "comp-on:M72": (
         "M72 would switch radius compensation, which needs a move of its own",
         "say G40 before it, or keep the state in the same compensation",

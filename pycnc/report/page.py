@@ -120,7 +120,8 @@ def _page(program, progress, what_if):
     if not found.time_s > 0:
         raise errors.ArgumentError(f"{program.file}: nothing moves: there is no path", id="empty")
     if what_if:
-        found.what_if()
+        asked = [""] if what_if is True else what_if
+        found.what_if(changes=[each for each in asked if each], cures="" in asked)
     columns, told = trail.columns(program.text, _worst(found))
     facts, parts = _facts(found, trail, told), _assets()
     facts["felt"] = axes.add_to(columns)
@@ -158,8 +159,9 @@ def make(program, progress=None, what_if=False):
     program : Program
     progress : callable, optional
         Called with (bytes of the program that are planned, all of them).
-    what_if : bool
-        Plan it again with each cure; the page tells what they gain.
+    what_if : bool or list of str
+        Plan it again with each cure, or with these settings; the page tells what they gain. An
+        empty one of a list stands for the cures.
 
     Raises
     ------

@@ -47,9 +47,7 @@ def test_a_kind_is_told_once_with_the_machine_that_reads_it(kind, seed):
     first = program.diagnostics.shown[0]
     strange = [each.id for each in program.diagnostics.shown if each.id.endswith("-unknown")]
     assert (first.id, kind in first.message) == ("looks-like", True)
-    turns = "-m cak6150n --dialect linuxcnc"  # of a lathe's text that is not Fanuc's
-    turned = kind == "a lathe's program" and turns in first.help
-    assert turned or f"-m {KINDS[kind]}" in first.help
+    assert f"-m {KINDS[kind]}" in first.help
     assert len(strange) == len(set(strange))
     assert program.diagnostics.errors >= 10
 
@@ -84,6 +82,17 @@ def test_a_laser_is_told_without_an_error_and_cuts_of_a_spindle_are_none(seed):
 ])  # fmt: skip
 def test_a_mills_program_with_a_mistake_is_no_other_kind(text):
     assert pycnc.load(text).diagnostics.counts["looks-like"] == 0
+
+
+@pytest.mark.parametrize(("text", "machine"), [
+    ("G21 G90 G94 F9\nG1 X1 A4\nX2 A5\nM2\n", "mill4"),
+    ("G21 G90 G94 F9\nG1 X1 A4\nX2 C5\nM2\n", "mill5_xyzac"),
+    ("G21 G99 T0101 G97 S500 M3\nG0 X24. Z2.\nM30\n", "lathe_fanuc"),
+    ("G96 D2500 S180 M3\nG95 G1 X1 Z1 F0.2\nT99 M6\nM2\n", "cak6150n --dialect linuxcnc"),
+])  # fmt: skip
+def test_the_command_has_the_machine_that_the_words_are_of(text, machine):
+    first = pycnc.load(text, Machine.load("mill3")).diagnostics.shown[0]
+    assert (first.id, first.help.partition("-m ")[2]) == ("looks-like", machine)
 
 
 def test_the_command_of_a_print_reads_it():

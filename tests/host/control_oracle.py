@@ -70,21 +70,23 @@ def grbl(points, feed, v_max, a_max, deviation, steps):
     return _time(lines, _passes(lines, caps))
 
 
-def klipper(points, feed, v, a, square_corner):
-    """Return Klipper's time along points with a minimum cruise ratio of 0, in X and Y."""
-    deviation = square_corner**2 * (math.sqrt(2) - 1) / a
-    lines = []
-    for here, there in zip(points, points[1:], strict=False):
+def klipper(points, feed, v, limits):
+    """Return Klipper's time along points with a minimum cruise ratio of 0, in X and Y.
+
+    limits: (acceleration, square corner velocity) that hold as each line comes.
+    """
+    lines, caps = [], []
+    for (here, there), (a, square_corner) in zip(zip(points, points[1:]), limits, strict=True):
         unit, length = _unit([y - x for x, y in zip(here, there, strict=True)])
-        lines.append({"unit": unit, "length": length, "a": a, "v": min(feed, v)})
-    caps = []
+        lines.append({"unit": unit, "length": length, "a": a, "v": min(feed, v),
+                      "bend": square_corner**2 * (math.sqrt(2) - 1)})  # fmt: skip
     for one, two in zip(lines, lines[1:], strict=False):
         u, w = one["unit"], two["unit"]
         cosine = -sum(x * y for x, y in zip(u, w, strict=True))
         s, k = (math.sqrt(max(0.0, (1 + sign * cosine) / 2)) for sign in (-1, 1))
         cap = min(one["v"], two["v"]) ** 2
         if s < 1 and k > 0:
-            cap = min(cap, _deviation_cap(u, w, a, deviation))
-            cap = min(cap, *(a * line["length"] * s / (2 * k) for line in (one, two)))
+            cap = min(cap, _deviation_cap(u, w, 1.0, min(one["bend"], two["bend"])))
+            cap = min(cap, *(line["a"] * line["length"] * s / (2 * k) for line in (one, two)))
         caps.append(cap)
     return _time(lines, _passes(lines, caps))

@@ -154,7 +154,28 @@ def test_klipper_is_the_oracle_s(seed):
     found = time_of(
         _text(points, feed), klipper(square_corner_velocity=corner, minimum_cruise_ratio=0)
     )
-    assert found == pytest.approx(oracle.klipper(points, feed, 100, 1000, corner), rel=1e-9)
+    limits = [(1000, corner)] * (len(points) - 1)
+    assert found == pytest.approx(oracle.klipper(points, feed, 100, limits), rel=1e-9)
+
+
+@pytest.mark.sample(12)
+@pytest.mark.parametrize("seed", range(1000))
+def test_a_line_of_klipper_keeps_the_limits_that_held_as_it_came(seed, draw_seed):
+    rng = random.Random(seed + draw_seed)
+    points, feed = _walk(rng, 200, 10 ** rng.uniform(-1, 1)), rng.choice((20, 60, 150))
+    head, *moves = _text(points, feed).rsplit("\n", len(points))
+    a, corner, limits = 1000, 5, []
+    for k in range(len(points) - 1):
+        if rng.random() < 0.2:
+            a, corner = rng.choice((300, 1500, 9000)), rng.choice((1, 5, 12))
+            words = rng.choice((f"SET_VELOCITY_LIMIT ACCEL={a}", f"M204 S{a}",
+                                f"M204 P{a} T{a + 9}"))  # fmt: skip
+            more = f"SET_VELOCITY_LIMIT SQUARE_CORNER_VELOCITY={corner}"
+            moves[k] = f"{words}\n{more}\n{moves[k]}"
+        limits.append((a, corner))
+    machine = klipper(square_corner_velocity=5, minimum_cruise_ratio=0)
+    found = time_of("\n".join([head, *moves]), machine)
+    assert found == pytest.approx(oracle.klipper(points, feed, 100, limits), rel=1e-9)
 
 
 @pytest.mark.parametrize("seed", range(12))
@@ -235,6 +256,25 @@ def test_a_limit_in_the_program_holds_from_there():
         assert both == pytest.approx(fast + slow, rel=1e-9), word
 
 
+@pytest.mark.parametrize("kind", ["klipper", "marlin"])
+@pytest.mark.parametrize("seed", range(6))
+def test_m220_is_a_share_of_every_feed_behind_it(kind, seed):
+    rng = random.Random(seed)
+    said, scaled, share = ["G21 G90"], ["G21 G90"], 100
+    for k in range(40):
+        if rng.random() < 0.3:
+            share = rng.choice((25, 50, 100, 200))
+            said.append(f"M220 S{share}")
+            scaled.append("M106 S9")
+        feed, move = rng.choice((600, 2400)), rng.choice(("G0", "G1"))
+        place = f"X{rng.uniform(0, 90):.2f} Y{rng.uniform(0, 90):.2f}"
+        said.append(f"{move} {place} F{feed}")
+        scaled.append(f"{move} {place} F{feed * share / 100:g}")
+    machine = machine_of(kind)
+    found, expected = (time_of("\n".join(lines), machine) for lines in (said, scaled))
+    assert found == pytest.approx(expected, rel=1e-9)
+
+
 def test_macros_are_told_once_and_skipped():
     text = "START_PRINT BED=60\nG21\nG90\n" + "EXCLUDE_OBJECT_START NAME=a\nG1 X10 F600\n" * 3
     program = load(text.encode(), klipper())
@@ -245,6 +285,12 @@ def test_macros_are_told_once_and_skipped():
     severities = {each.severity for each in load(text.encode(), named).diagnostics}
     assert severities == {"note"}
     assert program.text != text.encode() and len(program.text) == len(text)
+
+
+@pytest.mark.parametrize("name", ["_CLEAN_NOZZLE", "STATUSES", "SET_PINS_UP", "PRIME"])
+def test_a_macro_whose_name_says_nothing_may_move(name):
+    program = load(f"G21 G90\n{name}\nG1 X9 F900\n", klipper())
+    assert program.diagnostics.counts["macro-own"] == 1
 
 
 def test_what_if_tells_this_kernel_and_the_control_s_own_settings():

@@ -271,7 +271,7 @@ def test_what_is_imported_is_a_machine_and_moves(text, tmp_path):
         (LINUXCNC.replace("= 30\n", "= nan\n"), "'nan' is no number"),
         (f"{LINUXCNC}[JOINT_0]\nMAX_LIMIT = 3,5\n", "'3,5' is no number"),
         (GRBL.replace("$120=200.000", "$120="), "axis.x: no a_max"),
-        (GRBL.replace("$130=300", "$130=-300"), "axis.x.min_mm"),
+        (GRBL.replace("$130=300", "$130=-300"), "has no sign"),
         ("axes:\n", "no axis found"),
         (LINUXCNC.replace("LINEAR_UNITS = inch", "LINEAR_UNITS = ell"), "'ell' is none of mm, "),
         (LINUXCNC.replace("= 30\n", "= -30\n"), "is -762); line "),
@@ -468,3 +468,31 @@ def test_a_new_lathe_and_wrong_flags():
                   ["--v-max", "nan"], ["--j-max", "inf"]):  # fmt: skip
         result = pycnc("machine", "new", "m", *flags)
         assert (result.code, result.out) == (2, ""), flags
+
+
+@pytest.mark.parametrize(("old", "new", "words"), [
+    ("position_max: 250", "position_max: 2,5", "'2,5' is no number"),
+    ("max_accel: 3000", "max_accel: 3000;fast", "'3000;fast' is no number"),
+])  # fmt: skip
+def test_what_cannot_be_read_is_told_once(old, new, words):
+    text = f"[printer]\nkinematics: cartesian\nmax_velocity: 300\nmax_accel: 3000\n{_STEPPERS}"
+    (problem,) = importer.read(text.replace(old, new, 1), "printer.cfg").problems
+    assert words in problem[1]
+
+
+_STEPPERS = "".join(f"[stepper_{axis}]\nposition_max: 250\n" for axis in "xyz")
+_DOLLARS = "".join(f"${110 + k}=500\n${120 + k}=10\n${130 + k}=200\n" for k in range(3))
+
+
+def test_a_travel_of_grbl_with_a_sign_is_refused_and_one_of_zero_is_told():
+    (problem,) = importer.read(_DOLLARS.replace("$130=200", "$130=-200"), "g.txt").problems
+    assert problem[0].startswith("line 3") and "has no sign" in problem[1]
+    draft = importer.read(_DOLLARS.replace("$132=200", "$132=0"), "g.txt")
+    assert [each for each in draft.left if "travel of Z" in each] and not draft.problems
+    assert draft.limit("z", "min") is None
+
+
+def test_an_empty_travel_is_told_without_the_places_in_it():
+    with pytest.raises(MachineFileError) as caught:
+        Machine.load("mill3", set={"axis.x.min_mm": 400})
+    assert str(caught.value).count("error[machine]") == 1

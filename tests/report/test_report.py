@@ -183,6 +183,20 @@ def test_the_page_has_the_gains_of_cures_if_they_are_asked_for(tmp_path):
     assert len(facts["what_if"]) > 8
 
 
+def test_the_page_has_what_one_setting_gains(tmp_path):
+    (tmp_path / "part.ngc").write_text(PART)
+    change, other = "axis.x.a_max_mm_s2=2500", "control.kind=grbl"
+    facts = []
+    for words in ([change, "--what-if", other], [change, "--what-if"]):
+        out = tmp_path / "part.html"
+        assert pycnc("report", tmp_path / "part.ngc", "-o", out, "--what-if", *words).code == 0
+        facts.append(Unpacked(out.read_text()).facts["what_if"])
+    assert facts[0] == why(PART, what_if=[change, other]).cures
+    assert len(facts[1]) > 8 and change in [each["cure"] for each in facts[1]]
+    bad = pycnc("report", tmp_path / "part.ngc", "--what-if", "axis.x.a=1")
+    assert bad.code == 2 and "axis.x.a: unknown key" in bad.err
+
+
 def test_every_low_point_stands_in_the_page():
     text = star(chord=0.5)
     made = page_of(text, **{"path.tolerance_mm": 0})

@@ -36,7 +36,7 @@ typedef enum nck_block_kind {
     NCK_BLOCK_COMP = 7,  // G40, G41, G42 for 2_toolcomp, where it ends: output.value is the tool's
                          // radius [mm], + left of the contour, − right of it, 0: off; centre_mm:
                          // from the centre of its nose to its point; output.number: its
-                         // nck_comp_start_t, 0: RS274NGC's
+                         // nck_comp_start_t, 0: RS274NGC's; feed: of the way to the other side
     NCK_BLOCK_THREAD = 8, // G33, G32, a pass of G76 or G92: straight, with the spindle
     NCK_BLOCK_TAP = 9,   // G33.1, a hole of G84 or G74: with the spindle, from the target and back
     NCK_BLOCK_ENTRY = 10 // a part of the way to where a program begins in the middle, for

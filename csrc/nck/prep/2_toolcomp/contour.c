@@ -147,6 +147,23 @@ nck_status_t nck_comp_leave(nck_toolcomp_t *self, const nck_block_t *block) {
     return NCK_EMPTY;
 }
 
+void nck_comp_cross(nck_toolcomp_t *self, const nck_block_t *block, const double *tangent) {
+    nck_block_t move = *block;
+    move.kind = block->feed > 0.0 ? NCK_BLOCK_LINE : NCK_BLOCK_RAPID;
+    nck_comp_entry_t *const entry = read_entry(self, &move);
+    entry->moves = 1;
+    entry->enters = 1;
+    entry->crosses = 1;
+    memcpy(entry->tangent, tangent, sizeof entry->tangent);
+    memcpy(self->last.tangent, tangent, sizeof self->last.tangent);
+    nck_comp_join(self, self->ring.head, 0);
+    self->last.count = self->ring.head;
+    self->last.line = block->line;
+    self->last.rapid = entry->rapid;
+    self->phase = NCK_COMP_ON;
+    self->ring.head++;
+}
+
 nck_status_t nck_comp_take(nck_toolcomp_t *self, const nck_block_t *block) {
     nck_comp_entry_t *const entry = read_entry(self, block);
     nck_status_t status = NCK_EMPTY;

@@ -106,14 +106,15 @@ static void join_inside(nck_toolcomp_t *self, const nck_comp_piece_t *beside, in
 }
 
 // The first move, if it is still to be given, by type A, at a corner towards the tool by type B,
-// too, ends beside the beginning of the contour behind it. Returns 0 if it does not.
+// too, ends beside the beginning of the contour behind it, as the way to its other side does.
+// Returns 0 if it does not.
 static int leads_in(nck_toolcomp_t *self, const double *ahead, double turn) {
+    nck_comp_entry_t *const entry = nck_comp_at(self, self->last.count);
     const int upright = self->start == NCK_COMP_START_A
                         || (self->start == NCK_COMP_START_B && turn < 0.0);
-    if (!upright || nck_comp_is_given(self, self->last.count)) return 0;
-    nck_comp_entry_t *const entry = nck_comp_at(self, self->last.count);
     nck_comp_piece_t way;
-    if (!entry->enters) return 0;
+    if (nck_comp_is_given(self, self->last.count)) return 0;
+    if (!entry->enters || !(upright || entry->crosses)) return 0;
     memcpy(entry->tangent, ahead, sizeof entry->tangent);
     nck_comp_piece(self, self->last.count, NCK_COMP_BESIDE, &way);
     lead(self, &way);

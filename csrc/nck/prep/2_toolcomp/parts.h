@@ -44,6 +44,10 @@ int nck_comp_following(nck_toolcomp_t *self, const nck_comp_piece_t *piece, nck_
 // NCK_E_COMP_RADIUS, NCK_E_COMP_GOUGE. Cost: linear in the ring.
 nck_status_t nck_comp_take(nck_toolcomp_t *self, const nck_block_t *block);
 
+// contour.c: put the way to the contour's other side into the ring, which is empty: by the block of
+// G41 or G42, from a contour that ended in a direction. Cost: constant.
+void nck_comp_cross(nck_toolcomp_t *self, const nck_block_t *block, const double *tangent);
+
 // contour.c: the tool goes from the contour to the programmed end of a move. By type B it rounds
 // the contour's end before, if the corner there turns away from it: then the move is taken.
 // Returns NCK_OK: it passes; NCK_EMPTY: it is taken; NCK_E_COMP_GOUGE. Cost: quadratic in the

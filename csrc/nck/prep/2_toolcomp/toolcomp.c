@@ -75,6 +75,31 @@ static void switch_on(nck_toolcomp_t *self, const nck_block_t *block) {
     }
 }
 
+// G41 or G42 while the tool is beside a contour. What is in force already says nothing, another
+// radius on the same side is no change of sides; for a change the contour ends here.
+static nck_status_t change_side(nck_toolcomp_t *self, const nck_block_t *block) {
+    const double radius = self->side * self->radius;
+    if (block->output.value == radius) return NCK_EMPTY;
+    if (block->output.value * radius > 0.0) {
+        const double code = radius > 0.0 ? 41.0 : 42.0;
+        const nck_status_t status = nck_comp_fail(self, NCK_E_COMP_ON, block->line, code, 0.0);
+        self->error.letter = 'G';
+        return status;
+    }
+    self->closed = 1;
+    return nck_comp_take(self, block);
+}
+
+// All before the change is given: the tool goes from beside the contour's end to its other side.
+static void cross_over(nck_toolcomp_t *self) {
+    const nck_block_t block = nck_comp_at(self, self->ring.tail)->block;
+    const double tangent[2] = {self->last.tangent[0], self->last.tangent[1]};
+    nck_comp_off(self);
+    const int beside = self->away;
+    switch_on(self, &block);
+    if (beside) nck_comp_cross(self, &block, tangent);
+}
+
 // A block of the tool's path, on its way out of the room. NCK_EMPTY: it is before where the program
 // begins.
 static nck_status_t leave(nck_toolcomp_t *self, nck_block_t *block) {
@@ -87,8 +112,9 @@ static nck_status_t leave(nck_toolcomp_t *self, nck_block_t *block) {
 nck_status_t nck_toolcomp_take(nck_toolcomp_t *self, nck_block_t *block) {
     if (!NCK_HAS_COMP) return leave(self, block);
     if (block->kind == NCK_BLOCK_COMP) {
-        if (block->output.value != 0.0) switch_on(self, block);
-        else self->closed = self->phase != NCK_COMP_OFF;
+        if (block->output.value == 0.0) self->closed = self->phase != NCK_COMP_OFF;
+        else if (NCK_HAS_FOREIGN && self->phase != NCK_COMP_OFF) return change_side(self, block);
+        else switch_on(self, block);
         return NCK_EMPTY;
     }
     if (self->phase == NCK_COMP_OFF) {
@@ -124,12 +150,19 @@ static nck_status_t plan_piece(nck_toolcomp_t *self) {
 static nck_status_t begin_entry(nck_toolcomp_t *self, nck_block_t *out) {
     nck_comp_entry_t *const entry = nck_comp_at(self, self->ring.tail);
     const unsigned part = self->walk.part;
+    if (NCK_HAS_FOREIGN && entry->block.kind == NCK_BLOCK_COMP) {
+        cross_over(self);
+        return NCK_EMPTY;
+    }
     if (part == NCK_COMP_PARTS || !entry->moves) {
         self->ring.tail++;
         self->walk.part = 0;
         if (entry->moves) return NCK_EMPTY;
         nck_comp_give_along(self, &entry->block, out);
         return NCK_OK;
+    }
+    if (entry->crosses && nck_comp_next(self, self->ring.tail) == self->ring.head) {
+        entry->on[part] = 0; // no contour follows on the other side
     }
     if (entry->on[part]) open_piece(self, (nck_comp_part_t)part);
     self->walk.part++;
@@ -149,7 +182,8 @@ nck_status_t nck_toolcomp_pull(nck_toolcomp_t *self, nck_block_t *block_out) {
     if (!NCK_HAS_COMP) return NCK_EMPTY;
     const uint32_t waiting = self->ring.head - self->ring.tail;
     if (!self->closed && waiting < NCK_COMP_ROWS) return NCK_EMPTY;
-    while (self->ring.tail != self->ring.head) {
+    const uint8_t closed = self->closed; // behind a change of sides no more is all there is
+    while (self->ring.tail != self->ring.head && self->closed == closed) {
         nck_status_t status = step(self, block_out);
         if (status == NCK_OK) status = leave(self, block_out);
         if (status != NCK_EMPTY) return status;

@@ -38,6 +38,7 @@ typedef NCK_COMP_STATE nck_comp_entry {
     uint8_t moves;       // 1: it has a contour
     uint8_t rapid;       // 1: G0: nothing is cut there
     uint8_t enters;      // 1: the first move
+    uint8_t crosses;     // 1: it is the way to the other side of the contour, without G40
     uint8_t clear;       // 1: the first contour behind it, if that came by a rapid: the arc to its
                          // side cuts nothing either
     uint8_t leaves;      // 1: the move behind G40, with an arc about the contour's end before it

@@ -11,6 +11,7 @@
 
 // How deep the tool is in the contour at worst: elsewhere, and about the place that the way is of.
 typedef struct trespass {
+    double reach;     // less far from it is about it [mm]
     double most[2];   // [mm]
     uint32_t line[2]; // of the contour
 } trespass_t;
@@ -27,7 +28,7 @@ static void look(nck_toolcomp_t *self, const nck_comp_stretch_t *way, const doub
     const double depth = nck_comp_depth(self, way, &wall, &near);
     if (!(depth > 0.0)) return;
     nck_shape_point(&wall.shape, near.on_b, point);
-    const int about = nck_arc_norm(point[0] - at[0], point[1] - at[1]) < self->radius;
+    const int about = nck_arc_norm(point[0] - at[0], point[1] - at[1]) < out->reach;
     if (!(depth > out->most[about])) return;
     out->most[about] = depth;
     out->line[about] = entry->block.line;
@@ -53,7 +54,8 @@ nck_status_t nck_comp_way_to(nck_toolcomp_t *self) {
     const nck_comp_piece_t *const piece = &self->walk.piece;
     const nck_comp_entry_t *const entry = nck_comp_at(self, piece->of);
     nck_comp_stretch_t way;
-    trespass_t found = {{0.0, 0.0}, {0, 0}};
+    const double more = entry->crosses ? NCK_COMP_CLOSE : 0.0; // it begins as far away as R
+    trespass_t found = {self->radius + more, {0.0, 0.0}, {0, 0}};
     double to[2];
     if (entry->rapid) return NCK_OK;
     nck_shape_point(&piece->shape, self->walk.until, to);
@@ -78,7 +80,7 @@ nck_status_t nck_comp_way_from(nck_toolcomp_t *self, const nck_block_t *block,
     const uint32_t taken = head - self->last.from;
     const uint32_t kept = taken < NCK_COMP_ROWS ? taken : NCK_COMP_ROWS - 1;
     const uint32_t last = self->last.count;
-    trespass_t found = {{0.0, 0.0}, {0, 0}};
+    trespass_t found = {self->radius, {0.0, 0.0}, {0, 0}};
     if (block->kind == NCK_BLOCK_RAPID || head - last > kept) return NCK_OK;
     const double *const at = nck_comp_at(self, last)->contour.q;
     for (uint32_t m = head; m != head - kept;) {

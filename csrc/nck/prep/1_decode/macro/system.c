@@ -100,7 +100,7 @@ static double setting(const nck_decode_t *self, ask_t ask) {
 // Fanuc's lathes: the tool and its offset, as T says both.
 static double turret(const nck_decode_t *self) {
     const int32_t offset = self->modal.offset_in;
-    if (offset < 0) return self->modal.tool_next;
+    if (offset < 0 || !self->lathe) return self->modal.tool_next;
     return (double)self->modal.tool_in * (double)NCK_LATHE_TOOLS + offset;
 }
 

@@ -50,17 +50,21 @@ static int says_h(const nck_decode_t *self) {
            && (self->words.letters & (NCK_LETTER('D') | NCK_LETTER('H'))) == NCK_LETTER('H');
 }
 
-// G41, G42: the tool in the spindle, or the one that D names; D0 and no tool have no radius.
+// G41, G42: the tool in the spindle, or the one that D names, on Fanuc's mills until another one
+// does; D0 and no tool have no radius.
 static nck_status_t read_tool(nck_decode_t *self, double *radius_out, int64_t *nose_out) {
     const int32_t offset = self->modal.offset_in;
     int64_t number = offset >= 0 ? offset : (int64_t)self->modal.tool_in;
     const char letter = says_h(self) ? 'H' : 'D';
+    nck_tool_t tool = {0};
     const nck_status_t status = read_whole(self, letter, NCK_DECODE_VALUE_MAX, &number);
-    if (status != NCK_OK || number == 0) return status;
-    nck_tool_t tool;
-    if (!nck_table_find(self, (uint32_t)number, &tool)) {
+    if (status != NCK_OK) return status;
+    if (number != 0 && !nck_table_find(self, (uint32_t)number, &tool)) {
         return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, letter, (double)number, 0.0);
     }
+    const int keeps = self->machine->dialect.base == NCK_DIALECT_FANUC
+                      && (self->words.letters & NCK_LETTER(letter));
+    if (keeps) self->modal.offset_in = (int32_t)number;
     *radius_out = tool.radius_mm + tool.wear_mm;
     *nose_out = tool.orientation;
     return NCK_OK;
@@ -101,26 +105,43 @@ static nck_status_t give(nck_decode_t *self, double radius, int64_t nose, nck_bl
     return NCK_OK;
 }
 
-nck_status_t nck_decode_comp(nck_decode_t *self, nck_block_t *out) {
-    const unsigned code = self->words.code[NCK_STEP_RADIUS_COMP];
+// Fanuc changes the side without G40 between; the way across has the feed in force, and G93's is
+// that of one move.
+static int refuses(const nck_decode_t *self) {
+    const int fanuc = NCK_HAS_FOREIGN && self->machine->dialect.base == NCK_DIALECT_FANUC;
+    return self->modal.comp && (!fanuc || self->modal.feed_mode == NCK_FEED_INVERSE);
+}
+
+// G41, G42. left: the side, ±1.
+static nck_status_t begin(nck_decode_t *self, double left, nck_block_t *out) {
     const uint8_t before = self->modal.comp;
-    double unit[2] = {1.0, 1.0};
-    const int left = (code < 420) != (nck_layout_way(self, unit) < 0.0);
+    const int by_tool = self->words.code[NCK_STEP_RADIUS_COMP] % 10 == 0;
     double radius = 0.0;
     int64_t nose = 0;
-    if (code == 400) {
-        self->modal.comp = NCK_COMPENSATES_NOT;
-        return before == NCK_COMPENSATES ? give(self, 0.0, 0, out) : NCK_EMPTY;
-    }
-    if (!NCK_HAS_COMP) return nck_decode_fail_code(self, NCK_E_UNSUPPORTED, NCK_STEP_RADIUS_COMP);
-    if (before) return nck_decode_fail_code(self, NCK_E_COMP_ON, NCK_STEP_RADIUS_COMP);
-    const nck_status_t status = code % 10 == 0 ? read_tool(self, &radius, &nose)
-                                               : read_diameter(self, &radius, &nose);
+    const nck_status_t status = by_tool ? read_tool(self, &radius, &nose)
+                                        : read_diameter(self, &radius, &nose);
     if (status != NCK_OK) return status;
     if (nose % 9 != 0 && self->modal.plane != 18) {
         return nck_decode_fail_step(self, NCK_E_COMP_PLANE, NCK_STEP_RADIUS_COMP, 'G', (double)nose,
                                     0.0);
     }
     self->modal.comp = radius != 0.0 ? NCK_COMPENSATES : NCK_COMPENSATES_NOTHING;
-    return radius != 0.0 ? give(self, left ? radius : -radius, nose, out) : NCK_EMPTY;
+    if (radius == 0.0 && before != NCK_COMPENSATES) return NCK_EMPTY;
+    (void)give(self, left * radius, nose, out);
+    if (before == NCK_COMPENSATES) out->feed = self->modal.feed;
+    return NCK_OK;
+}
+
+nck_status_t nck_decode_comp(nck_decode_t *self, nck_block_t *out) {
+    const unsigned code = self->words.code[NCK_STEP_RADIUS_COMP];
+    const uint8_t before = self->modal.comp;
+    double unit[2] = {1.0, 1.0};
+    const int left = (code < 420) != (nck_layout_way(self, unit) < 0.0);
+    if (code == 400) {
+        self->modal.comp = NCK_COMPENSATES_NOT;
+        return before == NCK_COMPENSATES ? give(self, 0.0, 0, out) : NCK_EMPTY;
+    }
+    if (!NCK_HAS_COMP) return nck_decode_fail_code(self, NCK_E_UNSUPPORTED, NCK_STEP_RADIUS_COMP);
+    if (refuses(self)) return nck_decode_fail_code(self, NCK_E_COMP_ON, NCK_STEP_RADIUS_COMP);
+    return begin(self, left ? 1.0 : -1.0, out);
 }

@@ -38,7 +38,7 @@ typedef struct nck_modes {
     double speed_most;      // of the spindle under G96 by the program [rpm]; 0: none said
     uint32_t tool_next;     // T
     uint32_t tool_in;       // T at the last M6
-    int32_t offset_in;      // of T0202 the offset, whose radius G41 and G42 take; −1: none said
+    int32_t offset_in;      // of T0202 or D the offset whose radius G41 and G42 take; −1: none said
 } nck_modes_t;
 
 // What M70 or M73 keeps.
