@@ -129,6 +129,16 @@ double moves_distance(const move_t *move, const double *place, double guess, dou
     return sum;
 }
 
+int moves_is_over(const moves_t *self, const move_t *move, const double *place) {
+    static const double rounding = 1e-5; // [mm]
+    const double *const end = self->back ? move->start : move->end;
+    const int within = move->path_mode == NCK_PATH_CONTINUOUS;
+    const double most = rounding + (within ? move->tolerance : 0.0);
+    double sum = 0.0;
+    for (int k = 0; k < MOVES_AXES; k++) sum += (place[k] - end[k]) * (place[k] - end[k]);
+    return !is_round(move) || sum <= most * most;
+}
+
 // An entry that is executed where the next one begins.
 static int is_word(const move_t *move) {
     return move->kind > MOVE_CHORDS && move->kind < MOVE_THREAD;

@@ -126,6 +126,10 @@ void moves_reverse(move_t *move);
 // turns of an arc the one nearest to the share `guess`. Cost: constant.
 double moves_distance(const move_t *move, const double *place, double guess, double *share_out);
 
+// 1 if a tool that rests at a block's end rests at the entry's: those of chords have many. Cost:
+// constant.
+int moves_is_over(const moves_t *self, const move_t *move, const double *place);
+
 // The tool is at a share of the entry of a count, as it runs: the kernel takes what is left of it,
 // or what comes behind it. Cost: linear in entries without way there.
 void moves_resume(moves_t *self, uint32_t count, double share);

@@ -415,7 +415,8 @@ static void tell_move(planner_t *self, const nck_pose_t *pose, int single) {
     if (told->v > 0.0) self->moved = 1;
     if (told->v > 0.0) told->between = 0;
     else if (single && self->moved && !self->paused && pose->state == NCK_TICK_HOLD) {
-        told->between = 1; // until it moves again
+        told->between = (uint32_t)moves_is_over(&self->moves, move, told->place);
+        self->owed = !told->between; // it rests until it is let go on, between chords it is
     }
     self->at = self->skipped + (self->moves.back ? -pose->s : pose->s);
     told->to_go = fmax(0.0, move->way - self->at);

@@ -69,6 +69,11 @@ def _accelerations(machine, unit):
     return {axis: float(getattr(limits, key)) for axis, limits in axes if hasattr(limits, key)}
 
 
+def _jerk_of(accelerations, ramp_s):
+    """Return the jerk that gives the least of some accelerations in that time; 0: none."""
+    return min(accelerations.values()) / ramp_s if accelerations and ramp_s else 0.0
+
+
 def rows_of(machine, texts, unit_mm, progress=None):
     """Return what programs take with each jerk, the slowest first; the last row has no limit.
 
@@ -87,12 +92,10 @@ def rows_of(machine, texts, unit_mm, progress=None):
         raise errors.ArgumentError(f"{machine.name}: it has no linear axis", id="axes")
     rows = []
     for n, ramp in enumerate([*RAMPS_S, 0.0]):
-        jerk, angular = (min(each.values()) / ramp if each and ramp else 0.0
-                         for each in (straight, turning))  # fmt: skip
+        jerk, angular = (_jerk_of(each, ramp) for each in (straight, turning))
         changes = [f"axis.{axis}.j_max_mm_s3={jerk}" for axis in straight]
         changes += [f"axis.{axis}.j_max_deg_s3={angular}" for axis in turning]
-        if not ramp:
-            changes = ["path.slope=linear"]
+        changes = changes if ramp else ["path.slope=linear"]
         changed = Machine.load(machine, set=changes)
         programs = (Program(text, changed, file=name, keep=False).check()
                     for name, text in texts.items())  # fmt: skip

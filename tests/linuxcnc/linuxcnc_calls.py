@@ -55,6 +55,7 @@ class Calls:
         self.holds, self.outputs = set(), False
         self.turns = self.at_speed = True
         self.waits = False  # a move that the spindle leads waits for it
+        self.moved = 0  # lines of the script up to the last move
         self.blends = self.draw.random() < 0.4
 
     def all(self):
@@ -79,7 +80,8 @@ class Calls:
             script.append(f"spindle {rps} 0")
             self.lead(turns=rps > 0, at_speed=self.at_speed)
         elif word == "at speed":
-            script.append(draw.choice(["wait", "atspeed 0", "atspeed 1"]))
+            script.append(draw.choice(["atspeed 1"] if self.holds or self.outputs else
+                                      ["wait", "atspeed 0", "atspeed 1"]))  # fmt: skip
             self.lead(turns=self.turns, at_speed={"atspeed 0": False, "atspeed 1": True}.get(
                 script[-1], self.at_speed))  # fmt: skip
         elif word == "output" and not self.holds:
@@ -136,7 +138,7 @@ class Calls:
 
     def hold(self, call, *, held, name="pause"):
         """Hold, or end a hold."""
-        if held and self.waits:
+        if held and (self.waits or "wait" in self.script[self.moved:]):
             return
         self.script.append(call)
         (self.holds.add if held else self.holds.discard)(name)
@@ -171,6 +173,7 @@ class Calls:
             lead = draw.choice([0.25, 0.5])
             self.led(lead, int(word == "revolution"), f"line 50 {words_of(*self.place)}")
         self.outputs &= word == "same"
+        self.moved = len(self.script)
 
     def led(self, lead, mode, move):
         """Ask for a move that the spindle leads."""

@@ -204,6 +204,15 @@ def test_a_step_back_rests_at_the_start_of_its_move(stand_in):
     assert ends(run) == pytest.approx([30, 20, 10, 0], abs=1e-6)
 
 
+@pytest.mark.parametrize("turn", [[], ["reverse"]])
+def test_a_step_over_a_spiral_rests_at_its_end(stand_in, turn):
+    spiral = "arc 50 0 4 0 0 0 0 0 0 0 0 1.5 0 0 0 1 0"  # radius 1.5 to 2.5
+    run = stand_in.run([BY_HAND, EXACT, "line 50 0 -1 0", "line 50 0 0 0", spiral, "line 50 9 4 0",
+                        "run 500", "pause", REST_OR_STILL, *turn, "step", "run 60000", "tell"])
+    (words,) = run.told("tell")
+    assert [float(x) for x in words[:3]] == pytest.approx([0, 0 if turn else 4, 0], abs=1e-4)
+
+
 def test_so_far_back_as_the_ring_keeps(stand_in):
     chords = [f"line 100 {0.1 * n:.1f} 0 0\nrun 1" for n in range(1, 1400)]
     run = stand_in.run([BY_HAND, *chords, "line 100 1000 0 0", "run 1500", "pause", REST_OR_STILL,
