@@ -67,7 +67,9 @@ void back_begin(planner_t *self, double at) {
     moves->back = self->reversed;
     moves_resume(moves, find.count, find.share);
     find_limits(self, &bounds);
-    (void)feed_limits(self, &bounds); // the kernel has nothing that it would wait for
+    feed_bounds(self, &bounds);
+    // the kernel has nothing that it would wait for
+    if (!bounds_same(&bounds, &self->bounds)) (void)feed_limits(self, &bounds);
     const move_t *const move = moves_at(moves, find.count);
     self->at = self->skipped = move->way - (1.0 - find.share) * move->length;
     self->first = moves_ahead(moves, moves->next, find.count) < 0 ? moves->next : find.count;
