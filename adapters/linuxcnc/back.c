@@ -65,7 +65,7 @@ void back_begin(planner_t *self, double at) {
     look(self, at, 1, &find);
     look(self, at, (uint32_t)-1, &find);
     moves->back = self->reversed;
-    moves_resume(moves, find.count, find.share);
+    moves_resume(moves, find.count, find.share, find.away);
     find_limits(self, &bounds);
     feed_bounds(self, &bounds);
     // the kernel has nothing that it would wait for

@@ -144,14 +144,18 @@ static int is_word(const move_t *move) {
     return move->kind > MOVE_CHORDS && move->kind < MOVE_THREAD;
 }
 
-// From where the tool is arcs are chords: it is as far off as the path.
+// From where the tool is arcs are chords: it is as far off as the path, and what is left of the
+// tolerance is all that may be added.
 static void as_it_runs(const moves_t *self, move_t *move_out) {
+    static const double least = 0.1; // of the tolerance
     *move_out = *moves_at((moves_t *)self, self->next);
     if (self->back) moves_reverse(move_out);
-    if (self->anew && move_out->kind == MOVE_ARC) make_chords(move_out);
+    if (!self->anew) return;
+    if (move_out->kind == MOVE_ARC) make_chords(move_out);
+    move_out->tolerance -= fmin(self->away, (1.0 - least) * move_out->tolerance);
 }
 
-void moves_resume(moves_t *self, uint32_t count, double share) {
+void moves_resume(moves_t *self, uint32_t count, double share, double away) {
     static const double rounding = 0.5e-6; // [mm]
     const double length = moves_at(self, count)->length;
     double from = self->back ? 1.0 - share : share;
@@ -166,6 +170,7 @@ void moves_resume(moves_t *self, uint32_t count, double share) {
     self->from = from;
     self->part = 0;
     self->anew = 1;
+    self->away = away;
     if (!(from > 0.0)) return;
     move_t move;
     as_it_runs(self, &move);

@@ -73,7 +73,8 @@ typedef struct moves {
     uint32_t next; // the next one that the kernel takes
     uint32_t tail; // the oldest that is kept
     uint32_t back; // 1: from end to start, towards the tail
-    uint32_t anew; // 1: `next` begins where the tool is, within the tolerance of it
+    uint32_t anew; // 1: `next` begins where the tool is, within the tolerance of it, …
+    double away;   // … so far from it [mm]
     uint32_t axes; // that the machine has, a bit for each; the owner writes
     uint32_t part; // chords of `next`, or parts of its line, that it has taken
     double from;   // of it: the next part, in shares of the way, in the direction of running
@@ -130,9 +131,9 @@ double moves_distance(const move_t *move, const double *place, double guess, dou
 // constant.
 int moves_is_over(const moves_t *self, const move_t *move, const double *place);
 
-// The tool is at a share of the entry of a count, as it runs: the kernel takes what is left of it,
-// or what comes behind it. Cost: linear in entries without way there.
-void moves_resume(moves_t *self, uint32_t count, double share);
+// The tool is at a share of the entry of a count, so far away from it [mm]: the kernel takes what
+// is left of it as it runs, or what comes behind. Cost: linear in entries without way there.
+void moves_resume(moves_t *self, uint32_t count, double share, double away);
 
 // The next block of the entry `next`: of a line from `from` to `to`, which the owner sets; offset:
 // what the kernel's places lack of the host's.
