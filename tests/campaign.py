@@ -27,8 +27,8 @@ printed before it. The exit status is the number of parts that found something.
     rs274       15 000 random programs against rs274
     tongues     20 000 programs with a word of another language
     entering    the cases, the corpus and 50 programs of each family, begun at their lines
-    linuxcnc    2 000 random scripts of calls in the stand-in, 20 operators and lathe programs in
-                a live LinuxCNC
+    linuxcnc    10 000 random calls beside LinuxCNC's own planner, 2 500 random scripts of other
+                kinds in the stand-in, 20 operators and lathe programs in a live LinuxCNC
     imports     4 500 random configurations of other controls
 """
 
@@ -82,7 +82,9 @@ PARTS = {
     "tongues": ["tests/decode/tongues.py 20000 {seed}"],
     "entering": ["tests/decode/entering.py --lines 200",
                  "tests/decode/entering.py --family all --seeds {seed} +50"],
-    "linuxcnc": ["tests/linuxcnc/linuxcnc_calls.py --count 500 --seed {seed}",
+    "linuxcnc": ["tests/linuxcnc/linuxcnc_calls.py calls --count 10000 --seed {seed}",
+                 "tests/linuxcnc/linuxcnc_calls.py stops feeds threads late reverses "
+                 "--count 500 --seed {seed}",
                  "tests/linuxcnc/lathe_live.py", "tests/linuxcnc/operators.py {seed} 20"],
     "imports": ["tests/machine/configurations.py 1500 {seed}"],
 }  # fmt: skip

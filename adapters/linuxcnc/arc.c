@@ -2,7 +2,7 @@
 // Circles, helices and spirals about any axis of space.
 #include "arc.h"
 
-#include <math.h> // acos atan2 cos fabs fmax sin sqrt
+#include <math.h> // acos atan2 cos fabs floor fmax fmin sin sqrt
 
 static const double pi = 3.14159265358979323846;
 static const double same_angle = 1e-6; // [rad] ends so near to each other are one
@@ -62,6 +62,30 @@ void arc_point(const arc_t *arc, double share, double *point_out) {
         point_out[k] = arc->centre[k] + along_u * arc->u[k] + along_v * arc->v[k]
                        + share * arc->height * arc->n[k];
     }
+}
+
+double arc_share(const arc_t *arc, const double *point, double guess) {
+    double out[3];
+    const double sweep = fabs(arc->angle);
+    for (int k = 0; k < 3; k++) out[k] = point[k] - arc->centre[k];
+    const double across = arc->angle < 0.0 ? -dot(out, arc->v) : dot(out, arc->v);
+    const double at = atan2(across, dot(out, arc->u));
+    const double whole = 2.0 * pi * floor((guess * sweep - at) / (2.0 * pi) + 0.5);
+    return fmin(fmax((at + whole) / sweep, 0.0), 1.0);
+}
+
+void arc_reverse(arc_t *arc) {
+    const double c = cos(arc->angle), s = sin(arc->angle), radius = arc->radius[0];
+    for (int k = 0; k < 3; k++) {
+        const double u = arc->u[k], v = arc->v[k];
+        arc->u[k] = c * u + s * v;
+        arc->v[k] = c * v - s * u;
+        arc->centre[k] += arc->height * arc->n[k];
+    }
+    arc->radius[0] = arc->radius[1];
+    arc->radius[1] = radius;
+    arc->height = -arc->height;
+    arc->angle = -arc->angle;
 }
 
 double arc_length(const arc_t *arc) {

@@ -25,6 +25,13 @@ int arc_make(const double *start, const double *end, const double *centre, const
 // The point at a share, 0 … 1, of the way. Cost: constant. Context: any.
 void arc_point(const arc_t *arc, double share, double *point_out);
 
+// The share of the way where it is next to a point; of several turns the one that is nearest to the
+// share `guess`. Cost: constant. Context: any.
+double arc_share(const arc_t *arc, const double *point, double guess);
+
+// From its end to its start. Cost: constant. Context: any.
+void arc_reverse(arc_t *arc);
+
 // Length of the way; exact where the radius stays. Cost: constant. Context: any.
 double arc_length(const arc_t *arc);
 

@@ -2,7 +2,7 @@
 // From the ring of moves into the kernel.
 #include "feed.h"
 
-#include <math.h>   // fmax fmin
+#include <math.h>   // fabs fmax fmin
 #include <stdio.h>  // snprintf
 #include <string.h> // memcpy
 
@@ -71,18 +71,36 @@ void feed_machine(const planner_t *self, const bounds_t *bounds, nck_machine_t *
     machine->own_m[1].waits = 1;
 }
 
+void feed_before(const move_t *move, bounds_t *bounds_out) {
+    memcpy(bounds_out->j, move->before, sizeof bounds_out->j);
+    bounds_out->a_share = move->before[MOVES_AXES];
+    bounds_out->v_share = move->before[MOVES_AXES + 1];
+}
+
+int feed_limits(planner_t *self, bounds_t *bounds) {
+    nck_machine_t machine;
+    feed_bounds(self, bounds);
+    feed_machine(self, bounds, &machine);
+    if (nck_set_limits(&self->nck, &machine) == NCK_FULL) return 0;
+    self->bounds = *bounds;
+    self->machine = machine;
+    return 1;
+}
+
 // What follows has the limits of now. 0: not yet, what is before it has to be planned.
 static int set_limits(planner_t *self) {
     const move_t *const move = moves_at(&self->moves, self->moves.next);
     bounds_t bounds = {.a_share = move->a_share, .v_share = move->v_share};
-    nck_machine_t machine;
     memcpy(bounds.j, move->start, sizeof bounds.j);
-    feed_bounds(self, &bounds);
-    feed_machine(self, &bounds, &machine);
-    if (nck_set_limits(&self->nck, &machine) == NCK_FULL) return 0;
-    self->bounds = bounds;
-    self->machine = machine;
-    return 1;
+    if (self->moves.back) feed_before(move, &bounds);
+    return feed_limits(self, &bounds);
+}
+
+// A word that has been said, or is not to be: none is on the way back.
+static int is_quiet(const planner_t *self) {
+    const move_t *const move = moves_at((moves_t *)&self->moves, self->moves.next);
+    const int word = move->kind >= MOVE_DIGITAL && move->kind < MOVE_LIMITS;
+    return word && (self->moves.back || move->said);
 }
 
 // What the kernel has is executed to its end: the spindle leads then. Returns 1 for a flush.
@@ -93,27 +111,33 @@ static int finish(planner_t *self) {
     return 1;
 }
 
-// Returns 1 if there is work for prep.
-static int push(planner_t *self) {
+static void push_block(planner_t *self) {
     moves_t *const moves = &self->moves;
+    const uint32_t name = moves->next;
     nck_block_in_t block;
-    self->spindle = moves_at(moves, moves->next)->spindle;
-    if (moves_at(moves, moves->next)->kind >= MOVE_THREAD || rates_wait(self)) return finish(self);
-    if (moves_at(moves, moves->next)->kind == MOVE_LIMITS) {
-        moves->next += (uint32_t)set_limits(self);
-        return 1;
-    }
     rates_part(self);
     const int last = moves_block(moves, self->offset, &block);
     rates_bound(self, &block);
     const nck_status_t status = nck_push_block(&self->nck, &block);
-    if (status == NCK_FULL) return 1;
+    if (status == NCK_FULL) return;
     if (status != NCK_OK) self->failed = 1;
     moves->part = last ? 0 : moves->part + 1;
     moves->from = last ? 0.0 : moves->to;
-    moves->next += (uint32_t)last;
-    self->flushed = moves->next - 1;
+    if (last) moves->next = moves_on(moves, name);
+    if (last && moves_at(moves, name)->kind <= MOVE_CHORDS) moves->anew = 0;
+    self->flushed = moves->back ? moves->next + 1 : moves->next - 1; // where it has been
     self->empty = 0;
+}
+
+// Returns 1 if there is work for prep.
+static int push(planner_t *self) {
+    moves_t *const moves = &self->moves;
+    const move_t *const move = moves_at(moves, moves->next);
+    const int limits = move->kind == MOVE_LIMITS;
+    self->spindle = move->spindle;
+    if (move->kind >= MOVE_THREAD || rates_wait(self)) return finish(self);
+    if (limits ? set_limits(self) : is_quiet(self)) moves->next = moves_on(moves, moves->next);
+    else if (!limits) push_block(self);
     return 1;
 }
 
@@ -131,9 +155,10 @@ static int is_far(const planner_t *self) {
     }
     nck_queue(&self->nck, &queue);
     const uint32_t held = queue.smooth + 1; // their ends are not planned
-    const move_t *const known = moves_at((moves_t *)&self->moves, self->moves.next - held);
+    const uint32_t ends = self->moves.back ? self->moves.next + held : self->moves.next - held;
+    const move_t *const known = moves_at((moves_t *)&self->moves, ends);
     const double brake = 0.5 * v * (v / a + a / j);
-    return known->way - self->at > brake + WAY_UNDER_WAY * 1e-3 * v;
+    return fabs(known->way - self->at) > brake + WAY_UNDER_WAY * 1e-3 * v;
 }
 
 // Nothing more has come for a while: what is there is all, as far as anybody knows.
@@ -168,7 +193,7 @@ static void hurry(planner_t *self) {
 
 // The kernel needs input.
 static int give(planner_t *self) {
-    if (self->moves.next == self->moves.head) return flush(self);
+    if (!moves_has_next(&self->moves)) return flush(self);
     return push(self);
 }
 

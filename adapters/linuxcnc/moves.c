@@ -2,7 +2,7 @@
 // The ring of moves, and what of them the kernel takes.
 #include "moves.h"
 
-#include <math.h>   // fabs sqrt
+#include <math.h>   // fabs fmax fmin sqrt
 #include <string.h> // memcpy memset
 
 static const double chord_error = 1e-4;    // [mm] of arcs about other axes
@@ -10,12 +10,19 @@ static const double chord_tolerance = 2e-3;// [mm] of them where the path is to 
 static const double arc_error = 5e-3;      // [mm] by which an arc's radii may differ
 static const double upright = 1.0 - 1e-9;  // of an axis that is X, Y or Z
 
+int moves_has_next(const moves_t *self) {
+    if (!self->back) return self->next != self->head;
+    const int kept = (int32_t)(self->next - self->tail) >= 0;
+    return kept && moves_is_open(moves_at((moves_t *)self, self->next));
+}
+
 int moves_full(const moves_t *self) { return self->head - self->tail >= MOVES_MAX - MOVES_MARGIN; }
 
 void moves_clear(moves_t *self) {
     self->next = self->head;
     self->tail = self->head;
-    self->part = 0;
+    self->back = 0;
+    self->part = self->anew = 0;
     self->from = 0.0;
     self->to = 1.0;
 }
@@ -39,6 +46,13 @@ static int main_axis(const arc_t *arc) {
     return k;
 }
 
+static void make_chords(move_t *move) {
+    move->kind = MOVE_CHORDS;
+    move->chords = arc_chords(&move->arc, chord_error);
+    if (move->path_mode != NCK_PATH_CONTINUOUS) move->tolerance = chord_tolerance;
+    move->path_mode = NCK_PATH_CONTINUOUS;
+}
+
 double moves_round(move_t *move, const double *centre, const double *normal, int32_t turn) {
     static const uint8_t planes[3] = {19, 18, 17};
     double sum = 0.0;
@@ -47,9 +61,7 @@ double moves_round(move_t *move, const double *centre, const double *normal, int
     const int spirals = fabs(move->arc.radius[1] - move->arc.radius[0]) > arc_error;
     move->kind = along < 0 || spirals ? MOVE_CHORDS : MOVE_ARC;
     if (move->kind == MOVE_CHORDS) {
-        move->chords = arc_chords(&move->arc, chord_error);
-        if (move->path_mode != NCK_PATH_CONTINUOUS) move->tolerance = chord_tolerance;
-        move->path_mode = NCK_PATH_CONTINUOUS;
+        make_chords(move);
     } else {
         const int32_t passes = turn < 0 ? turn : turn + 1;
         move->plane = planes[along];
@@ -82,9 +94,92 @@ static void line_end(const move_t *move, double share, double *end_out) {
     }
 }
 
+void moves_reverse(move_t *move) {
+    double start[MOVES_AXES];
+    memcpy(start, move->start, sizeof start);
+    memcpy(move->start, move->end, sizeof start);
+    memcpy(move->end, start, sizeof start);
+    move->turns = -move->turns;
+    arc_reverse(&move->arc);
+}
+
+static int is_round(const move_t *move) {
+    return move->kind == MOVE_ARC || move->kind == MOVE_CHORDS;
+}
+
+static double share_of_line(const move_t *move, const double *place) {
+    double along = 0.0, sum = 0.0;
+    for (int k = 0; k < MOVES_AXES; k++) {
+        const double way = move->end[k] - move->start[k];
+        along += way * (place[k] - move->start[k]);
+        sum += way * way;
+    }
+    return sum > 0.0 ? fmin(fmax(along / sum, 0.0), 1.0) : 1.0;
+}
+
+double moves_distance(const move_t *move, const double *place, double guess, double *share_out) {
+    const int round = is_round(move);
+    const double share =
+        round ? arc_share(&move->arc, place, guess) : share_of_line(move, place);
+    double at[MOVES_AXES], sum = 0.0;
+    line_end(move, share, at);
+    if (round) arc_point(&move->arc, share, at);
+    for (int k = 0; k < MOVES_AXES; k++) sum += (place[k] - at[k]) * (place[k] - at[k]);
+    *share_out = share;
+    return sum;
+}
+
+int moves_is_over(const moves_t *self, const move_t *move, const double *place) {
+    static const double rounding = 1e-5; // [mm]
+    const double *const end = self->back ? move->start : move->end;
+    const int within = move->path_mode == NCK_PATH_CONTINUOUS;
+    const double most = rounding + (within ? move->tolerance : 0.0);
+    double sum = 0.0;
+    for (int k = 0; k < MOVES_AXES; k++) sum += (place[k] - end[k]) * (place[k] - end[k]);
+    return !is_round(move) || sum <= most * most;
+}
+
+// An entry that is executed where the next one begins.
+static int is_word(const move_t *move) {
+    return move->kind > MOVE_CHORDS && move->kind < MOVE_THREAD;
+}
+
+// From where the tool is arcs are chords: it is as far off as the path, and what is left of the
+// tolerance is all that may be added.
+static void as_it_runs(const moves_t *self, move_t *move_out) {
+    static const double least = 0.1; // of the tolerance
+    *move_out = *moves_at((moves_t *)self, self->next);
+    if (self->back) moves_reverse(move_out);
+    if (!self->anew) return;
+    if (move_out->kind == MOVE_ARC) make_chords(move_out);
+    move_out->tolerance -= fmin(self->away, (1.0 - least) * move_out->tolerance);
+}
+
+void moves_resume(moves_t *self, uint32_t count, double share, double away) {
+    static const double rounding = 0.5e-6; // [mm]
+    const double length = moves_at(self, count)->length;
+    double from = self->back ? 1.0 - share : share;
+    if (from * length <= rounding) from = 0.0;
+    if ((1.0 - from) * length <= rounding) {
+        count = moves_on(self, count);
+        from = 0.0;
+    } else if (!(from > 0.0) && !self->back) {
+        while (count != self->tail && is_word(moves_at(self, count - 1))) count--;
+    }
+    self->next = count;
+    self->from = from;
+    self->part = 0;
+    self->anew = 1;
+    self->away = away;
+    if (!(from > 0.0)) return;
+    move_t move;
+    as_it_runs(self, &move);
+    if (move.kind == MOVE_CHORDS) self->part = (uint32_t)(from * move.chords);
+}
+
 // What a block has whose entry has a way.
-static void fill_way(const moves_t *self, const double *offset, nck_block_in_t *block) {
-    const move_t *const move = moves_at((moves_t *)self, self->next);
+static void fill_way(const moves_t *self, const move_t *move, const double *offset,
+                     nck_block_in_t *block) {
     static const uint8_t kinds[] = {NCK_IN_RAPID, NCK_IN_LINE, NCK_IN_ARC, NCK_IN_LINE};
     static const uint8_t first[3] = {NCK_AXIS_X, NCK_AXIS_Z, NCK_AXIS_Y};
     double end[MOVES_AXES];
@@ -100,7 +195,8 @@ static void fill_way(const moves_t *self, const double *offset, nck_block_in_t *
     for (int k = 0; k < MOVES_AXES; k++) {
         const int round = move->kind == MOVE_CHORDS && k < 3
                           && (move->arc.u[k] != 0.0 || move->arc.v[k] != 0.0);
-        if (end[k] == move->start[k] && !round) continue;
+        const int off = self->anew && (self->axes >> k & 1u);
+        if (end[k] == move->start[k] && !round && !off) continue;
         block->axes |= 1u << k;
         block->target[k] = end[k] - offset[k];
     }
@@ -117,15 +213,16 @@ static void fill_way(const moves_t *self, const double *offset, nck_block_in_t *
 }
 
 int moves_block(const moves_t *self, const double *offset, nck_block_in_t *block_out) {
-    const move_t *const move = moves_at((moves_t *)self, self->next);
-    const int waits = move->kind >= MOVE_AT_SPEED;
+    move_t move;
     memset(block_out, 0, sizeof *block_out);
     block_out->id = self->next;
-    if (move->kind <= MOVE_CHORDS) {
-        fill_way(self, offset, block_out);
-        return move->kind == MOVE_CHORDS ? self->part + 1 == move->chords : !(self->to < 1.0);
+    as_it_runs(self, &move);
+    if (move.kind <= MOVE_CHORDS) {
+        const int chords = move.kind == MOVE_CHORDS;
+        fill_way(self, &move, offset, block_out);
+        return chords ? self->part + 1 == move.chords : !(self->to < 1.0);
     }
     block_out->kind = NCK_IN_M;
-    block_out->value = waits ? MOVES_M_WAIT : MOVES_M_PASS;
+    block_out->value = move.kind >= MOVE_AT_SPEED ? MOVES_M_WAIT : MOVES_M_PASS;
     return 1;
 }

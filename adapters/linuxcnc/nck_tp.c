@@ -50,7 +50,7 @@ static emcmot_status_t *status;
 static emcmot_config_t *config;
 static uint32_t told_up_to;  // entries of the ring before this one have their tags
 static const char no_reverse[] =
-    "running in reverse is not offered, for moves behind the tool are forgotten: it stays";
+    "no way back over a thread, a tap, a feed a revolution or a locking indexer: the tool stays";
 static char refused[SETTINGS_WHY]; // why it takes no move; empty: it does
 static double v_limit = 1e9; // of the tool [mm/s]
 static int forward = 1;      // 1, −1: how it turned when the pass began
@@ -240,11 +240,11 @@ int tpAbort(TP_STRUCT *tp) {
 
 int tpSetRunDir(TP_STRUCT *const tp, tc_direction_t dir) {
     static int said; // asked for every cycle while adaptive feed is below zero
-    (void)tp;
-    if (!planner_reverse(&self, dir == TC_DIR_REVERSE)) dir = TC_DIR_REVERSE;
-    if (dir == TC_DIR_REVERSE && !said) message(no_reverse);
-    said = dir == TC_DIR_REVERSE;
-    return dir == TC_DIR_FORWARD ? TP_ERR_OK : TP_ERR_FAIL;
+    const int turns = planner_reverse(&self, dir == TC_DIR_REVERSE);
+    if (turns < 0 && !said) message(no_reverse);
+    said = turns < 0;
+    tp->reverse_run = self.reversed ? TC_DIR_REVERSE : TC_DIR_FORWARD;
+    return turns > 0 ? TP_ERR_OK : TP_ERR_FAIL;
 }
 
 int tpSetVlimit(TP_STRUCT *tp, double limit) {
@@ -278,8 +278,10 @@ static planner_wish_t wish_of(void) {
 
 // The move that the host is to hear of; NULL at rest.
 static const move_t *move_told(void) {
-    const uint32_t count = self.told.move + (uint32_t)self.told.between;
-    return self.done || count == self.moves.head ? NULL : moves_at(&self.moves, count);
+    const uint32_t work = self.told.move;
+    const uint32_t count = self.told.between ? moves_on(&self.moves, work) : work;
+    const int kept = count - self.moves.tail < self.moves.head - self.moves.tail;
+    return self.done || !kept ? NULL : moves_at(&self.moves, count);
 }
 
 static void report(void) {

@@ -5,6 +5,7 @@
 #include <math.h>   // fabs fmax fmin sqrt
 #include <string.h> // memcpy memset
 
+#include "back.h"   // back_begin
 #include "feed.h"   // feed_prepare
 #include "rates.h"  // rates_measure rates_hear
 #include "thread.h" // thread_begins thread_cycle
@@ -13,8 +14,9 @@
 
 static void on_output(void *user, const nck_output_t *output) {
     planner_t *const self = user;
-    const move_t *const move = moves_at(&self->moves, output->line);
+    move_t *const move = moves_at(&self->moves, output->line);
     if (self->state != PLANNER_READY) return;
+    if (move->kind == MOVE_DIGITAL || move->kind == MOVE_ANALOG) move->said = 1;
     if (move->kind == MOVE_DIGITAL) self->hooks.digital(move->index, (char)(move->value > 0.0));
     if (move->kind == MOVE_ANALOG) self->hooks.analog(move->index, move->value);
 }
@@ -36,6 +38,7 @@ static void forget(planner_t *self) {
     self->empty = 1;
     self->bounds_asked = self->bounds;
     self->told.between = 0;
+    self->moved = 0;
     memcpy(self->goal, self->told.place, sizeof self->goal);
 }
 
@@ -59,6 +62,7 @@ int planner_init(planner_t *self, const settings_t *settings, const planner_hook
     self->modal = modal;
     self->travel = travel;
     self->moves.head = 1; // 0 is no move to the kernel
+    self->moves.axes = settings->axes;
     self->done = 1;
     self->bounds.a_share = self->bounds.v_share = 1.0;
     memcpy(self->bounds.j, settings->jerk, sizeof self->bounds.j);
@@ -238,6 +242,9 @@ static void put_bounds(planner_t *self, const planner_order_t *order, move_t *mo
     limits->a_share = bounds.a_share;
     limits->v_share = bounds.v_share;
     memcpy(limits->start, bounds.j, sizeof bounds.j);
+    memcpy(limits->before, self->bounds_asked.j, sizeof bounds.j);
+    limits->before[MOVES_AXES] = self->bounds_asked.a_share;
+    limits->before[MOVES_AXES + 1] = self->bounds_asked.v_share;
     self->bounds_asked = bounds;
 }
 
@@ -267,6 +274,7 @@ static int add(planner_t *self, const planner_order_t *order, const shape_t *sha
     put_outputs(self, order);
     self->way += length;
     move.way = self->way;
+    move.length = length;
     *moves_at(&self->moves, self->moves.head++) = move;
     if (!(shape->back > 0.0)) memcpy(self->goal, place, sizeof self->goal);
     if (order->indexer >= 0) put_word(self, order, MOVE_LOCK, order->indexer);
@@ -297,18 +305,12 @@ int planner_arc(planner_t *self, const planner_order_t *order, const double *end
 
 void planner_pause(planner_t *self, int pause) { self->paused = (uint32_t)pause; }
 
-int planner_reverse(planner_t *self, int reverse) {
-    if (reverse && self->told.v > 0.0) return 0;
-    self->reversed = (uint32_t)reverse;
-    return 1;
-}
-
 void planner_abort(planner_t *self) {
     self->failed = 0;
     self->outputs = 0;
     self->reversed = 0;
     if (self->state == PLANNER_FOLLOWS) thread_stop(self);
-    if (self->done || self->state != PLANNER_READY) return;
+    if (self->done || (self->state != PLANNER_READY && self->state != PLANNER_TURNS)) return;
     stop(self, PLANNER_STOPS);
 }
 
@@ -335,9 +337,6 @@ int planner_depth(const planner_t *self) {
     return self->done ? 0 : (int)(self->count - self->passed);
 }
 
-// The operator wants the tool to rest.
-static int is_held(const planner_t *self) { return self->paused || self->reversed; }
-
 // What the tool rests for is there.
 static int wait_is_over(planner_t *self, const move_t *move) {
     const int unlock = move->kind == MOVE_UNLOCK;
@@ -357,12 +356,14 @@ static void hear_holds(planner_t *self, const planner_wish_t *wish) {
     nck_set_single_block(&self->nck, single);
     if (self->single && !single) self->owed = 1;
     self->single = single;
-    if (is_held(self) && !self->holds) {
+    if (self->paused && !self->holds) {
         nck_hold(&self->nck);
         self->holds = 1;
     }
-    if (is_held(self)) return;
-    if (waits && !wait_is_over(self, moves_at(&self->moves, pose.line))) return;
+    if (self->paused) return;
+    move_t *const move = moves_at(&self->moves, pose.line);
+    if (waits && !wait_is_over(self, move)) return;
+    if (waits) move->said = 1;
     if (waits || self->holds || self->owed) {
         nck_resume(&self->nck);
         self->moved = 0;
@@ -408,15 +409,16 @@ static void tell_motion(planner_t *self, const nck_pose_t *pose) {
 
 static void tell_move(planner_t *self, const nck_pose_t *pose, int single) {
     planner_told_t *const told = &self->told;
-    const int known = (int32_t)(pose->line - self->first) >= 0;
+    const int known = pose->line && moves_ahead(&self->moves, pose->line, self->first) >= 0;
     told->move = known ? pose->line : self->first;
     const move_t *const move = moves_at(&self->moves, told->move);
     if (told->v > 0.0) self->moved = 1;
     if (told->v > 0.0) told->between = 0;
-    else if (single && self->moved && !is_held(self) && pose->state == NCK_TICK_HOLD) {
-        told->between = 1; // until it moves again
+    else if (single && self->moved && !self->paused && pose->state == NCK_TICK_HOLD) {
+        told->between = (uint32_t)moves_is_over(&self->moves, move, told->place);
+        self->owed = !told->between; // it rests until it is let go on, between chords it is
     }
-    self->at = pose->s + self->skipped;
+    self->at = self->skipped + (self->moves.back ? -pose->s : pose->s);
     told->to_go = fmax(0.0, move->way - self->at);
     for (int k = 0; k < MOVES_AXES; k++) told->dtg[k] = move->end[k] - told->place[k];
     if (self->state == PLANNER_READY) self->passed = move->count - 1;
@@ -435,7 +437,7 @@ static void tell_rest(planner_t *self) {
 
 // All that was handed over is executed.
 static int is_over(const planner_t *self) {
-    return self->moves.next == self->moves.head && feed_is_done(self);
+    return !self->moves.back && self->moves.next == self->moves.head && feed_is_done(self);
 }
 
 // A cycle in which the spindle leads.
@@ -452,10 +454,13 @@ static void follow(planner_t *self, const planner_wish_t *wish) {
 }
 
 static void end_stop(planner_t *self) {
-    const int seen = self->state == PLANNER_STOPS;
+    const uint32_t state = self->state;
+    const double at = self->at;
     if (!nck_is_idle(&self->nck)) return;
     begin_anew(self);
-    if (seen && self->state == PLANNER_READY) tell_rest(self);
+    if (self->state != PLANNER_READY) return;
+    if (state == PLANNER_STOPS) tell_rest(self);
+    if (state == PLANNER_TURNS) back_begin(self, at);
 }
 
 void planner_cycle(planner_t *self, const planner_wish_t *wish) {

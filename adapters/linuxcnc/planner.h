@@ -87,7 +87,7 @@ typedef struct planner_wish {
 // What is told of a cycle.
 typedef struct planner_told {
     uint32_t move;     // count of the move in work; valid if not done
-    int between;       // 1: single block rests at the end of that move
+    uint32_t between;     // 1: single block rests at the end of that move
     double place[MOVES_AXES];
     double dtg[MOVES_AXES]; // to the move's end
     double to_go;      // the same along the path [mm]
@@ -108,7 +108,8 @@ typedef enum planner_state {
     PLANNER_READY = 0,
     PLANNER_STOPS = 1, // an abort: the axes brake
     PLANNER_HIDES = 2, // it has been put elsewhere while it moved: it brakes unseen
-    PLANNER_FOLLOWS = 3 // the spindle leads, the kernel rests
+    PLANNER_FOLLOWS = 3,// the spindle leads, the kernel rests
+    PLANNER_TURNS = 4   // it is to go the other way: the kernel lets go of what it has
 } planner_state_t;
 
 // The planner. Its owner has one, and never moves it.
@@ -138,13 +139,13 @@ typedef struct planner {
     uint32_t fed;           // the last move with a feed that the kernel has
     uint32_t by_turns;      // 1: the feeds that the kernel has hang on it
     uint32_t spindle;       // that the move in work, or the next one, goes by
-    double skipped;         // way that the kernel has not gone [mm]
+    double skipped;         // programmed path where the kernel began, less what it had gone [mm]
     planner_output_t output[PLANNER_OUTPUTS];
     uint32_t outputs;       // of them, for the next move
     uint32_t state;         // planner_state_t
     uint32_t begun;         // 1: the kernel has been initialised
     uint32_t paused;        // 1: the operator holds
-    uint32_t reversed;      // 1: he wants to go back, which is not offered
+    uint32_t reversed;      // 1: he wants to go back
     uint32_t holds;         // 1: the kernel has been told so
     uint32_t failed;        // 1: the kernel refused a move; no more until an abort
     uint32_t done;          // 1: nothing left to do
@@ -201,8 +202,10 @@ int planner_output(planner_t *self, int analog, int index, double value);
 // Brake to rest on the path, or rest there; go on. A cycle without a move forgets it.
 void planner_pause(planner_t *self, int pause);
 
-// Going back is asked for (1), which is not offered, or going on (0): until then what rests stays.
-// Returns 1, or 0 if it moves: that counts for nothing.
+// Go back over the moves that are kept (1), or forward (0), as soon as it may go on. Outputs and
+// waits are not said again. Returns 1; 0 if it moves, or has nothing to do: that counts for
+// nothing; −1 for a move that cannot be gone back over: one that the spindle leads or feeds, or one
+// of a locking indexer.
 int planner_reverse(planner_t *self, int reverse);
 
 // Brake to rest and drop what has not been done.
@@ -210,6 +213,12 @@ void planner_abort(planner_t *self);
 
 // The axes are elsewhere, at rest; what has not been done is dropped.
 void planner_put(planner_t *self, const double *place);
+
+// The move in work, or the first one that will be. Cost: constant. Context: any.
+static inline uint32_t planner_current(const planner_t *self) {
+    const int known = moves_ahead(&self->moves, self->told.move, self->first) >= 0;
+    return known ? self->told.move : self->first;
+}
 
 // Moves that are not behind the tool.
 int planner_depth(const planner_t *self);

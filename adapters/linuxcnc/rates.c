@@ -56,9 +56,10 @@ void rates_measure(planner_t *self, const planner_wish_t *wish) {
 
 // ---- what the kernel's override has to be
 
-// The move in work, or the first one that will be.
-static uint32_t current(const planner_t *self) {
-    return (int32_t)(self->told.move - self->first) >= 0 ? self->told.move : self->first;
+// Behind the last entry of which the kernel has something.
+static uint32_t fed_up_to(const planner_t *self) {
+    const moves_t *const moves = &self->moves;
+    return moves->part > 0 ? moves_on(moves, moves->next) : moves->next;
 }
 
 // The spindle's speed that a move's feed is told for, where X is there: as commanded when the tool
@@ -106,7 +107,7 @@ static int is_fed_line(const planner_t *self, uint32_t count) {
 // The line that the tool is on when it has heard of an override, and X there. It is known as far as
 // lines fed by the revolution follow each other.
 static const move_t *line_then(const planner_t *self, double *x_out) {
-    uint32_t n = current(self);
+    uint32_t n = planner_current(self);
     double left = self->told.v * late(self) * self->cycle_s;
     double way = self->told.to_go;
     *x_out = self->told.place[NCK_AXIS_X];
@@ -139,8 +140,10 @@ static double follows(planner_t *self, const move_t *move) {
 
 // The move in work, or the first one that will be: words have no feed. NULL: the kernel has none.
 static const move_t *fed_now(const planner_t *self) {
-    const uint32_t end = self->moves.next + (self->moves.part > 0);
-    for (uint32_t n = current(self); (int32_t)(end - n) > 0; n++) {
+    const moves_t *const moves = &self->moves;
+    const uint32_t end = fed_up_to(self);
+    uint32_t n = planner_current(self);
+    for (; moves_ahead(moves, end, n) > 0; n = moves_on(moves, n)) {
         const move_t *const move = moves_at((moves_t *)&self->moves, n);
         if (move->given > 0.0) return move;
     }
@@ -158,8 +161,10 @@ static void measure(planner_t *self) {
 // follows the spindle has the override by which the move in work does.
 static uint32_t override_of(const planner_t *self, uint32_t end) {
     double least = HUGE_VAL;
-    for (uint32_t n = current(self); n != end; n++) {
-        const move_t *const move = moves_at((moves_t *)&self->moves, n);
+    const moves_t *const moves = &self->moves;
+    uint32_t n = planner_current(self);
+    for (; moves_ahead(moves, end, n) > 0; n = moves_on(moves, n)) {
+        const move_t *const move = moves_at((moves_t *)moves, n);
         if (!(move->given > 0.0)) continue;
         const double wanted = (double)self->wanted / PPM * move->feed;
         const double asked = move->per_rev ? self->turned * move->given : wanted;
@@ -170,7 +175,7 @@ static uint32_t override_of(const planner_t *self, uint32_t end) {
 
 // A move ahead of the tool has a cap, or a feed a revolution, and the kernel has it.
 static int is_bound(const planner_t *self) {
-    return (int32_t)(self->bound - current(self)) >= 0;
+    return moves_ahead(&self->moves, self->bound, planner_current(self)) >= 0;
 }
 
 static int is_same(const planner_t *self, uint32_t one, uint32_t other) {
@@ -192,8 +197,7 @@ void rates_hear(planner_t *self, const planner_wish_t *wish) {
     self->calm++;
     const uint32_t calm = planner_cycles(self, nck_is_answering(&self->nck) ? PATIENCE : CALM);
     if (!rests && self->calm < calm) return;
-    const uint32_t end = self->moves.next + (self->moves.part > 0);
-    const uint32_t feed = bound ? override_of(self, end) : self->wanted;
+    const uint32_t feed = bound ? override_of(self, fed_up_to(self)) : self->wanted;
     const int same = is_same(self, asked.feed_ppm, feed) && asked.rapid_ppm == rapid
                      && asked.speed_um_s == speed && (asked.feed_ppm == 0) == (feed == 0);
     const double calm_most = planner_cycles(self, PACE_MOST);
@@ -210,7 +214,7 @@ static int has_feed(const move_t *move) { return move->kind <= MOVE_CHORDS && mo
 
 // The kernel has a move with a feed that is not behind the tool.
 static int feeds(const planner_t *self) {
-    return (int32_t)(self->fed - current(self)) >= 0 && !feed_is_done(self);
+    return moves_ahead(&self->moves, self->fed, planner_current(self)) >= 0 && !feed_is_done(self);
 }
 
 int rates_wait(const planner_t *self) {
@@ -267,5 +271,6 @@ void rates_bound(planner_t *self, nck_block_in_t *block) {
     self->pace = planner_cycles(self, CALM);
     self->override = (trend_t){self->turned, self->turned};
     self->spins = (trend_t){self->wish.rps, self->wish.rps};
-    nck_set_override(&self->nck, override_of(self, self->moves.next + 1), asked.rapid_ppm);
+    const uint32_t end = moves_on(&self->moves, self->moves.next);
+    nck_set_override(&self->nck, override_of(self, end), asked.rapid_ppm);
 }

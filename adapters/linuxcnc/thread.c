@@ -16,7 +16,7 @@ static const move_t *next_of(const planner_t *self) {
 
 int thread_begins(const planner_t *self) {
     const move_t *const next = next_of(self);
-    if (!next || next->kind < MOVE_THREAD || self->paused || self->reversed) return 0;
+    if (!next || next->kind < MOVE_THREAD || self->paused || self->moves.back) return 0;
     return feed_is_done(self) && self->hooks.at_speed();
 }
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The verbs of LinuxCNC's planner: ``linuxcnc build``, ``install``, ``package``, ``ini``."""
+"""The verbs of LinuxCNC's planner: ``linuxcnc build | install | package | ini | jerk``."""
 
 import json as json_text
 import os
@@ -8,8 +8,8 @@ from typing import Annotated
 import typer
 
 from pycnc.cli.door import linuxcnc, verb
-from pycnc.cli.options import Json
-from pycnc.cli.words import GOOD, WRONG, read
+from pycnc.cli.options import Files, Json, Quiet
+from pycnc.cli.words import GOOD, WRONG, Refused, progress, read, writing
 
 Folder = Annotated[str, typer.Argument(metavar="FOLDER", help="Where to.")]
 
@@ -80,3 +80,57 @@ def ini(
     elif not found["errors"]:
         print(f"{name}: nothing to add")
     return WRONG if found["errors"] else GOOD
+
+
+@verb(linuxcnc, "linuxcnc jerk machine.ini part.ngc -o jerk.png")
+def jerk(
+    *, file: Annotated[str, typer.Argument(metavar="INI", help="An INI file of LinuxCNC.")],
+    files: Files,
+    output: Annotated[str | None, typer.Option(
+        "--output", "-o", metavar="PICTURE", help="Draw it: .png, .svg or .pdf.")] = None,
+    quiet: Quiet = False,
+):  # fmt: skip
+    """Say which jerk to begin with: what programs take with each, and what it buys.
+
+    A ramp of acceleration of so many seconds leaves no vibration of a frequency whose period it
+    is, and little of those above.
+    """
+    from pycnc.linuxcnc import advice, configuration
+
+    if output is not None and not output.lower().endswith((".png", ".svg", ".pdf")):
+        raise Refused(f"{output}: error[format]: a picture is .png, .svg or .pdf")
+    name, data = read(file, "give an INI file of LinuxCNC")
+    folder = os.path.dirname(file)
+    text, _ = configuration.expand(data.decode("utf-8", errors="replace"), folder)
+    machine = advice.machine_of(text, os.path.basename(name), folder)
+    found = configuration.settings(text)
+    texts = dict(read(each) for each in files)
+    with progress(f"planning with {len(advice.RAMPS_S) + 1} jerks", quiet) as bar:
+        rows = advice.rows_of(machine, texts, advice.unit_mm(found), bar)
+    chosen = advice.choose(rows)
+    print("\n".join(_jerks(rows, chosen)))
+    add, first = advice.lines_for(chosen, found)
+    print(f"\nA ramp half as long saves less than {advice.WORTH:.0%}. Begin with, in {name}:\n")
+    print("[TRAJ]", *add, sep="\n")
+    for place in first:
+        print(f"{name}: note: {place} counts first: take it out")
+    if output is not None:
+        with writing(output):
+            print(advice.draw(rows, chosen, machine.name, output))
+    return GOOD
+
+
+def _jerks(rows, chosen):
+    """Yield the table: jerk, its ramp, the time, what is quiet."""
+    from pycnc.report.plot import duration
+
+    least = rows[-1].time_s
+    cells = [["jerk", "ramp", "time", "more", "no vibration above", ""]]
+    for row in rows:
+        more = f"+{row.time_s / least - 1:.1%}" if row.time_s > least > 0 else ""
+        limited = [f"{row.jerk:g}", f"{row.ramp_s:g} s"] if row.ramp_s else ["none", ""]
+        quiet = f"{row.quiet_hz:g} Hz" if row.ramp_s else ""
+        cells.append([*limited, duration(row.time_s), more, quiet, "<" if row is chosen else ""])
+    widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
+    for row in cells:
+        yield "  ".join(cell.rjust(n) for cell, n in zip(row, widths, strict=True)).rstrip()

@@ -58,7 +58,7 @@ WRAPPERS = (
 # Headers beside a file of the adapter; those of LinuxCNC are for GUESTS alone.
 LINUXCNC = ("rtapi.h", "rtapi_app.h", "rtapi_string.h", "hal.h", "motion.h", "motion_types.h",
             "tp.h")
-HOST_OF_ADAPTER = ("arc.h", "bounds.h", "feed.h", "follow.h", "moves.h", "planner.h",
+HOST_OF_ADAPTER = ("arc.h", "back.h", "bounds.h", "feed.h", "follow.h", "moves.h", "planner.h",
                    "rates.h", "settings.h", "thread.h")
 
 # What a firmware opens; nck_tools.h is for hosts and tests.

@@ -130,12 +130,19 @@ static void put_down(const EmcPose *pos) {
     fwrite(row, sizeof row, 1, trace);
 }
 
+// Adaptive feed: below zero it runs in reverse, behind a rest.
+static double adapted(void) {
+    const int wanted = adaptive < 0.0 ? TC_DIR_REVERSE : TC_DIR_FORWARD;
+    if (adaptive == 0.0 || wanted == tp.reverse_run) return fabs(adaptive);
+    return p_tpSetRunDir(&tp, wanted) == TP_ERR_OK ? fabs(adaptive) : 0.0;
+}
+
 // The share of the programmed speed that the move in work is to have.
 static void scale(void) {
     const int rapid = p_tpGetMotionType(&tp) == EMC_MOTION_TYPE_TRAVERSE;
     double net = 1.0;
     if (status.enables_queued & FS_ENABLED) net = rapid ? status.rapid_scale : status.feed_scale;
-    if (status.enables_queued & AF_ENABLED) net *= adaptive;
+    if (status.enables_queued & AF_ENABLED) net *= adapted();
     if ((status.enables_queued & FH_ENABLED) && held) net = 0.0;
     status.net_feed_scale = net;
     status.motionType = p_tpGetMotionType(&tp);
@@ -198,11 +205,12 @@ static void cycle(void) {
     cycles++;
 }
 
+// rest: all is done; still: the axes stand; settled: they have stood long enough for a spindle.
 static void until(const char *what, int most) {
     EmcPose before = status.carte_pos_cmd;
     int n = 0, still = 0;
-    const int to_end = strcmp(what, "rest") == 0;
-    for (; n < most && !(to_end ? p_tpIsDone(&tp) : still >= 3); n++) {
+    const int to_end = strcmp(what, "rest") == 0, enough = strcmp(what, "still") == 0 ? 3 : 1500;
+    for (; n < most && !(to_end ? p_tpIsDone(&tp) : still >= enough); n++) {
         cycle();
         still = memcmp(&before, &status.carte_pos_cmd, sizeof before) ? 0 : still + 1;
         before = status.carte_pos_cmd;
@@ -342,7 +350,7 @@ static void tell(void) {
     printf("tell %.9f %.9f %.9f id %d done %d depth %d active %d v %.6f to_go %.6f dtg %.6f "
            "full %d\n", p->tran.x, p->tran.y, p->tran.z, p_tpGetExecId(&tp), p_tpIsDone(&tp),
            p_tpQueueDepth(&tp), p_tpActiveDepth(&tp), status.current_vel, status.distance_to_go,
-           status.dtg.tran.x, p_tcqFull(NULL));
+           status.dtg.tran.x, p_tcqFull(&tp.queue));
 }
 
 static void obey(const char *word, const double *n) {
@@ -363,7 +371,8 @@ static void obey(const char *word, const double *n) {
     }
     if (strcmp(word, "run") == 0) {
         for (int k = 0; k < (int)n[0]; k++) cycle();
-    } else if (strcmp(word, "rest") == 0 || strcmp(word, "still") == 0) {
+    } else if (strcmp(word, "rest") == 0 || strcmp(word, "still") == 0
+               || strcmp(word, "settled") == 0) {
         until(word, (int)n[0]);
     } else if (strcmp(word, "tell") == 0) {
         tell();

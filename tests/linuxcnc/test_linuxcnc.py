@@ -244,11 +244,6 @@ def test_a_clear_on_the_move_stays_at_once_and_goes_on_later(stand_in):
     assert run.places[-1] == pytest.approx([0, 0, 0], abs=1e-6)
 
 
-def test_running_in_reverse_is_refused_in_words(stand_in):
-    run = stand_in.run(["line 50 10 0 0", "run 100", "reverse", f"rest {EVER}"])
-    assert run.told("reverse") == [["-1"]] and "reverse" in run.log
-
-
 # In step with the spindle
 
 LEAD, PASS = 2.0, ["spindle 10", "run 100", "sync 2 0", "line 100 0 0 -20", "line 100 1 0 -21",

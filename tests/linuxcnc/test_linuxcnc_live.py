@@ -190,3 +190,23 @@ def test_a_servo_period_out_of_range_is_in_linuxcncs_log(planner, folder, monkey
 def test_a_parameter_that_is_none_does_not_load(planner, folder, parameter, told):
     with pytest.raises(live.errors.StateError, match=told):
         live.run(folder, PROGRAM, planner=f"{planner} {parameter}")
+
+
+TO_AND_FRO = """G21 G90 G64 P0.01
+M52 P1
+G1 F3000 X40 Y0
+X40 Y40
+G3 X0 Y40 I-20 J0
+G1 X0 Y60
+M2
+"""
+FEED = "motion.adaptive-feed"
+
+
+def test_adaptive_feed_below_zero_runs_back(planner, folder):
+    script = [(0, "set", FEED, "1"), (1.5, "set", FEED, "-0.8"), (4, "set", FEED, "1")]
+    log = live.run(folder, TO_AND_FRO, planner=planner, script=script)
+    assert max(log.peaks(live.Limits())) <= 1 + 1e-3
+    assert log.places[-1] == pytest.approx([0, 60, 0], abs=1e-5)
+    begun = np.flatnonzero(np.abs(log.places).max(axis=1) > 20)[0]
+    assert np.abs(log.places[begun:]).max(axis=1).min() < 1e-4  # it has come back to where it began
