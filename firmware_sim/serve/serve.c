@@ -417,8 +417,11 @@ void serve_join(serve_t *self) {
 void serve_part(serve_t *self) {
     const int idle = serve_is_idle(self);
     nck_fence_store(&self->in.tail, nck_fence_load(&self->in.head));
-    if (self->phase == SERVE_READS) memset(&self->line, 0, sizeof self->line);
-    self->line.own = 1;
+    if (self->phase == SERVE_READS || (self->phase == SERVE_BRAKES && !self->waits)) {
+        memset(&self->line, 0, sizeof self->line);
+    } else {
+        self->line.own = 1;
+    }
     if (!idle) serve_hold(self, 0);
 }
 

@@ -8,6 +8,7 @@ import sys
 import time
 from pathlib import Path
 
+import hostile_runs
 import pytest
 import serving_runs
 
@@ -43,6 +44,12 @@ def test_a_hold_brakes_within_15_ms(seed):
 @pytest.mark.parametrize("seed", range(1, 501))
 def test_noise_breaks_nothing(seed):
     serving_runs.bytes_at_random(seed)
+
+
+@pytest.mark.sample(10, quick=2)
+@pytest.mark.parametrize("seed", range(1, 501))
+def test_a_storm_leaves_a_machine_that_does_what_it_is_told(seed):
+    hostile_runs.storms(seed)
 
 
 def test_a_session_that_is_not_as_written_is_told():
