@@ -1,14 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""A served machine on an emulated board: bytes over its UART, time as the other one says.
-
-    python tests/controller/board_sessions.py m4f streams COUNT [FIRST]   searches of serving_runs
-"""
+"""A served machine on an emulated board: bytes over its UART, time as the other one says."""
 
 import contextlib
 import socket
 import struct
 import subprocess
-import sys
 import tempfile
 from pathlib import Path
 

@@ -311,7 +311,8 @@ def test_the_makefile_has_two_commands_and_three_for_those_who_change_it():
 
 
 # Programs among the tests that search for nothing.
-TOOLS = {"campaign.py", "durations.py", "rooms.py", "lock.py", "measures.py", "table.py"}
+TOOLS = {"campaign.py", "durations.py", "rooms.py", "lock.py", "measures.py", "table.py",
+         "bcnc.py"}
 
 
 def test_the_campaign_has_every_search():

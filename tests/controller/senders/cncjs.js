@@ -75,7 +75,7 @@ async function probe() {
 async function stream() {
     const lines = ['G21 G90 G94', 'G1 F1500'];
     for (let k = 1; k <= LINES; k++) {
-        lines.push(`G1 X${(-20 * Math.sin(k / 9)).toFixed(3)} Y${(-k / 20).toFixed(3)}`);
+        lines.push(`G1 X${(10 * Math.cos(k / 9) - 10).toFixed(3)} Y${(-k / 20).toFixed(3)}`);
     }
     command('gcode:load', 'job.nc', lines.join('\n') + '\n');
     await until('loaded', () => state.sender.total > LINES);
