@@ -422,7 +422,7 @@ void serve_part(serve_t *self) {
     } else {
         self->line.own = 1;
     }
-    if (!idle) serve_hold(self, 0);
+    if (!idle && self->then != SERVE_THEN_BANNER) serve_hold(self, 0); // a reset goes on
 }
 
 nck_status_t serve_init(serve_t *self, nck_t *nck, nck_decode_t *room, const serve_port_t *port) {

@@ -98,6 +98,20 @@ def test_a_pulled_cable_holds_the_machine_for_the_next_connection(served):
         assert b"<Idle|" in read_until(client, b">")
 
 
+def test_who_comes_back_at_once_is_let_in_and_a_second_one_is_not(served):
+    for _ in range(30):
+        with socket.create_connection(("127.0.0.1", served)) as client:
+            client.sendall(b"?")
+            read_until(client, b">")
+    with socket.create_connection(("127.0.0.1", served)) as client:
+        read_until(client, b"Grbl 1.1f")
+        with socket.create_connection(("127.0.0.1", served)) as second:
+            second.settimeout(20)
+            assert second.recv(1) == b""
+        client.sendall(b"?")
+        read_until(client, b">")
+
+
 def test_a_pseudo_terminal_is_a_serial_port(tmp_path):
     link = tmp_path / "port"
     line = serving.Pty(str(link))
