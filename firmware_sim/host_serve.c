@@ -41,6 +41,9 @@ nck_status_t host_serve_restore(host_serve_t *self, const nck_modal_t *modal, in
     if (status == NCK_OK) status = nck_set_position(self->nck, modal->position_nm);
     if (status != NCK_OK) return status;
     memcpy(self->switches.real_nm, modal->position_nm, sizeof self->switches.real_nm);
+    if (self->switches.pair) {
+        self->switches.mate_nm = modal->position_nm[self->switches.pair - 1];
+    }
     if (!moved) return NCK_OK;
     self->serve.locked = SERVE_NOT_HOMED;
     write_out(self, told, sizeof told - 1);
@@ -80,13 +83,14 @@ static void note(host_serve_t *self, const nck_axes_t *before) {
     const nck_machine_t *const machine = nck_machine_of(self->nck);
     const int told = nck_places(self->nck) != self->switches.places;
     int moved = 0;
-    host_switches_move(&self->switches, self->nck, &self->axes);
+    host_switches_move(&self->switches, self->nck, &self->axes, self->inputs.held);
     if (told) return;
     for (uint32_t k = 0; k < nck_joint_count(self->nck); k++) {
         const uint32_t axis = nck_joint_axis(self->nck, k);
         const int64_t step = self->axes.joint_nm[k] - before->joint_nm[k];
-        const double way = (double)step / nck_machine_counts(machine, (int)axis);
-        const double share = fabs(way) / machine->period_s / machine->axis[axis].v_max;
+        const double counts = nck_machine_counts(machine, (int)axis);
+        const double way = fmax(fabs((double)step) - 1.0, 0.0) / counts; // both are rounded
+        const double share = way / machine->period_s / machine->axis[axis].v_max;
         self->v_most = fmax(self->v_most, share);
         moved |= step != 0;
     }

@@ -16,7 +16,7 @@ void host_switches_init(host_switches_t *self, const nck_t *nck) {
     self->seed = 1;
     for (int k = 0; k < INPUTS; k++) self->since[k] = LONG;
     (void)nck_position(nck, &pose, &axes);
-    host_switches_move(self, nck, &axes);
+    host_switches_move(self, nck, &axes, 0);
     memset(self->real_nm, 0, sizeof self->real_nm);
     for (uint32_t k = 0; k < nck_joint_count(nck); k++) {
         self->real_nm[nck_joint_axis(nck, k)] = axes.joint_nm[k];
@@ -41,6 +41,11 @@ static uint32_t closed_now(const host_switches_t *self) {
         }
         if ((self->far >> x & 1u) != 0 && is_far) closed |= limit;
     }
+    if (self->pair != 0) {
+        const int back = (self->least >> (self->pair - 1) & 1u) != 0;
+        const uint32_t is_home = (uint32_t)is_beyond(self->mate_nm, self->second_nm, back);
+        closed |= is_home << HAL_IN_SECOND;
+    }
     if (self->real_nm[NCK_AXIS_Z] <= self->plate_nm) closed |= 1u << HAL_IN_PROBE;
     return closed;
 }
@@ -63,11 +68,15 @@ uint32_t host_switches_read(host_switches_t *self) {
     return read | self->broken;
 }
 
-void host_switches_move(host_switches_t *self, const nck_t *nck, const nck_axes_t *axes) {
+void host_switches_move(host_switches_t *self, const nck_t *nck, const nck_axes_t *axes,
+                        uint32_t held) {
     const int told = nck_places(nck) != self->places;
     for (uint32_t k = 0; k < nck_joint_count(nck); k++) {
         const uint32_t x = nck_joint_axis(nck, k);
-        if (!told) self->real_nm[x] += axes->joint_nm[k] - self->told_nm[x];
+        const int64_t way_nm = told ? 0 : axes->joint_nm[k] - self->told_nm[x];
+        const uint32_t stays = self->pair == x + 1 ? held : 0u;
+        if ((stays & 1u) == 0) self->real_nm[x] += way_nm;
+        if (self->pair == x + 1 && (stays & 2u) == 0) self->mate_nm += way_nm;
         self->told_nm[x] = axes->joint_nm[k];
     }
     self->places = nck_places(nck);

@@ -20,7 +20,9 @@ printed before it. The exit status is the number of parts that found something.
                 some yet)
     scripts     24 000 random scripts of the front door, 100 000 programs; 20 000 sessions with
                 wrong lines in them
-    serve       in grbl's protocol 500 random streams, 20 000 jogs cancelled, 2 000 times noise
+    serve       in grbl's protocol 500 random streams, 20 000 jogs cancelled, 2 000 times noise,
+                3 000 senders that mean no good
+    senders     CNCjs and bCNC from their packages, in front of a served machine
     cycles      4 000 programs with cycles within a tolerance: limits of every axis
     threads     2 000 programs of each family with threads and taps; 20 000 spindles that fail
     comp        2 000 contours of each family under radius compensation, rs274 beside them
@@ -71,9 +73,12 @@ PARTS = {
               "tests/controller/serving_runs.py streams 500 {seed}",
               "tests/controller/serving_runs.py jogs 1000 {seed}",
               "tests/controller/serving_runs.py bytes 2000 {seed}",
+              "tests/controller/hostile_runs.py storms 3000 {seed}",
               "tests/controller/serving_runs.py brakes 1000 {seed}",
               "tests/controller/streaming.py surf_webgcode_46k.ngc jerk {seed}",
               "tests/controller/streaming.py surf_webgcode_46k.ngc optimal {seed}"],
+    "senders": ["tests/controller/real_senders.py cncjs",
+                "tests/controller/real_senders.py bcnc"],
     "cycles": ["tests/cycle_jerk.py --count 4000 --seed {seed}"],
     "threads": ["tests/thread_programs.py --count 2000 --seed {seed}",
                 "build/gcc/tests_tick test_spindle 20000 {seed}"],

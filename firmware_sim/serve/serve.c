@@ -417,9 +417,12 @@ void serve_join(serve_t *self) {
 void serve_part(serve_t *self) {
     const int idle = serve_is_idle(self);
     nck_fence_store(&self->in.tail, nck_fence_load(&self->in.head));
-    if (self->phase == SERVE_READS) memset(&self->line, 0, sizeof self->line);
-    self->line.own = 1;
-    if (!idle) serve_hold(self, 0);
+    if (self->phase == SERVE_READS || (self->phase == SERVE_BRAKES && !self->waits)) {
+        memset(&self->line, 0, sizeof self->line);
+    } else {
+        self->line.own = 1;
+    }
+    if (!idle && self->then != SERVE_THEN_BANNER) serve_hold(self, 0); // a reset goes on
 }
 
 nck_status_t serve_init(serve_t *self, nck_t *nck, nck_decode_t *room, const serve_port_t *port) {

@@ -35,6 +35,12 @@ static uint32_t tenths_of(const serve_number_t *number) {
     return number->whole * TENTHS + number->thousandths / 100;
 }
 
+// Its axes are no way to go: of the codes in tenths those of offsets, places and tool lengths.
+static int has_own_axes(uint32_t code) {
+    const uint32_t whole = code / TENTHS;
+    return whole == 10 || whole == 28 || whole == 30 || whole == 52 || whole == 92 || code == 431;
+}
+
 static void look_at_word(serve_t *self, char letter, const serve_number_t *number) {
     const uint32_t code = tenths_of(number);
     if (letter == 'N') self->line.name = number->whole;
@@ -63,7 +69,7 @@ static int is_axis(char letter) {
 }
 
 void serve_look(serve_t *self) {
-    int moves = 0;
+    int moves = 0, own = 0;
     const char *at = self->text;
     const char *const behind = at + self->line.size;
     self->text[self->line.size] = '\0';
@@ -72,9 +78,10 @@ void serve_look(serve_t *self) {
         const char letter = *at++;
         if (letter < 'A' || letter > 'Z') continue;
         if (serve_number(&at, &number)) look_at_word(self, letter, &number);
+        own |= letter == 'G' && has_own_axes(tenths_of(&number));
         moves |= is_axis(letter);
     }
-    if (moves && self->probe && probes_on(self)) self->line.probes = self->probe;
+    if (moves && !own && self->probe && probes_on(self)) self->line.probes = self->probe;
     if (self->line.probes) self->line.settles = 1;
 }
 

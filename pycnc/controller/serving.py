@@ -45,8 +45,8 @@ class Tcp:
         """Sleep until bytes come, at most so long; return 1 when somebody new is there."""
         watched = [self._door] if self._client is None else [self._door, self._client]
         ready, _, _ = select.select(watched, [], [], seconds)
-        if self._door not in ready:
-            return False
+        if self._door not in ready or self._client in ready:
+            return False  # who has something to say may be at its end, and makes way
         client, _ = self._door.accept()
         if self._client is not None:
             client.close()

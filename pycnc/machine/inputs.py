@@ -28,6 +28,10 @@ class AxisSwitch(Table):
     far: Travel = Field(
         None, description="Where a limit switch at the other end closes. Default: there is none."
     )
+    second: Travel = Field(
+        None, description="Two motors drive the axis: where the home switch of the second one "
+        "closes. Homing squares them. Default: one motor."
+    )  # fmt: skip
 
 
 class Inputs(Table):
@@ -52,6 +56,9 @@ class Inputs(Table):
     )
     bounce_ms: Milliseconds = Field(
         Decimal(0), description="A switch that changes reads at random for so long."
+    )
+    skew_mm: PullOff = Field(
+        Decimal(5), description="How far one of two motors may go on alone while homing."
     )
     plate_mm: Coordinate | None = Field(
         None, description="The probe touches at this Z and below. Default: nowhere."
@@ -100,6 +107,9 @@ def contradictions(inputs, axes):
         yield from _axis_contradictions(letter, switch, axes[letter])
     if inputs.plate_mm is not None and "z" not in axes:
         yield "inputs.plate_mm", "the machine has no Z axis"
+    pairs = [at for at, switch in letters.items() if switch.second is not None]
+    if len(pairs) > 1:
+        yield f"inputs.{pairs[1]}.second", f"{pairs[0].upper()} has two motors, and one axis can"
     bad = [at for at in inputs.order if at not in letters or inputs.order.count(at) > 1]
     if bad:
         yield "inputs.order", (f"must be letters of axes with an [inputs] table, each once "
@@ -147,12 +157,14 @@ def switches_of(settings):
     bits = {at: 1 << AXES.index(at) for at in letters}
     least = sum(bits[at] for at, switch in letters.items() if switch.end == "least")
     period = settings.kernel.period_ms
+    pair = next((at for at, switch in letters.items() if switch.second is not None), None)
     order = sum(AXES.index(at) + 1 << 4 * k for k, at in enumerate(inputs.homed()))
     said = {
         "homes": int(inputs.homing), "limits": int(inputs.limits), "reverse": least,
         "order": order, "seek": float(inputs.seek_mm_min), "feed": float(inputs.feed_mm_min),
         "pull_off": float(inputs.pull_off_mm),
         "debounce": round(inputs.debounce_ms / period),
+        "pair": AXES.index(pair) + 1 if pair else 0, "skew": float(inputs.skew_mm),
     }  # fmt: skip
     place, far = [0] * len(AXES), [0] * len(AXES)
     for at, switch in letters.items():
@@ -166,6 +178,8 @@ def switches_of(settings):
         "far": sum(bits[at] for at, switch in letters.items() if switch.far is not None),
         "far_nm": far, "bounce": round(inputs.bounce_ms / period),
     }  # fmt: skip
+    if pair:
+        wires |= {"pair": said["pair"], "second_nm": _nm(letters[pair].second)}
     if inputs.plate_mm is not None:
         wires["plate_nm"] = _nm(inputs.plate_mm)
     return said, wires, pushed

@@ -38,8 +38,9 @@ def mill(**changes):
 class Talk:
     """A session, and the lines that it has said."""
 
-    def __init__(self, machine=None):
-        self.session, self._part, self.said = Session(machine or mill()), b"", []
+    def __init__(self, machine=None, session=None):
+        self.session = session or Session(machine or mill())
+        self._part, self.said = b"", []
         self.listen()
 
     def listen(self):
@@ -117,9 +118,9 @@ EVENTS = {
 }  # fmt: skip
 
 
-def play(text, machine=None):
+def play(text, machine=None, session=None):
     """Play a session in text; raise Broken with its line where it is not as written."""
-    talk = Talk(machine)
+    talk = Talk(machine, session)
     for number, line in enumerate(text.splitlines(), 1):
         kind, _, rest = line.partition(" ")
         if kind == ">":
@@ -224,11 +225,11 @@ def end_of(lines, machine):
     return tuple(int(done.columns[f"joint_{k}_nm"][-1]) for k in range(3))
 
 
-def streams(seed):
+def streams(seed, session=None):
     """Stream a random program with random commands; hold every promise."""
     draw, machine = random.Random(seed), mill()
     lines, wrong = program(draw)
-    talk = Talk(machine)
+    talk = Talk(machine, session)
     talk.said.clear()
     answers = stream(lines, draw, talk)
     expected = [f"error:{wrong[k]}" if k in wrong else "ok" for k in range(len(lines))]

@@ -114,6 +114,9 @@ def probes(seed):
     under = talk.session.joints_nm[2]
     if not told - 500 - way_nm(talk, speed) <= under <= told + 500:
         raise Broken(f"the tool went on to {under}")
+    zero = draw.choice(("G10L20P1Z0", "G10 L2 P1 Z3", "G92Z0", "G43.1Z1", "G28.1", "G30.1"))
+    if talk.ask(zero) != ["ok"] or talk.session.joints_nm[2] != under:
+        raise Broken(f"{zero} goes on probing")
     talk.wait(50)
     talk.send(f"G38.{code}Z-1\n".encode())
     if lines_of(talk) != ["ALARM:4", "ok"]:

@@ -8,6 +8,7 @@ import sys
 import time
 from pathlib import Path
 
+import hostile_runs
 import pytest
 import serving_runs
 
@@ -43,6 +44,12 @@ def test_a_hold_brakes_within_15_ms(seed):
 @pytest.mark.parametrize("seed", range(1, 501))
 def test_noise_breaks_nothing(seed):
     serving_runs.bytes_at_random(seed)
+
+
+@pytest.mark.sample(10, quick=2)
+@pytest.mark.parametrize("seed", range(1, 501))
+def test_a_storm_leaves_a_machine_that_does_what_it_is_told(seed):
+    hostile_runs.storms(seed)
 
 
 def test_a_session_that_is_not_as_written_is_told():
@@ -89,6 +96,20 @@ def test_a_pulled_cable_holds_the_machine_for_the_next_connection(served):
         read_until(client, b"Grbl 1.1f")
         client.sendall(b"?")
         assert b"<Idle|" in read_until(client, b">")
+
+
+def test_who_comes_back_at_once_is_let_in_and_a_second_one_is_not(served):
+    for _ in range(30):
+        with socket.create_connection(("127.0.0.1", served)) as client:
+            client.sendall(b"?")
+            read_until(client, b">")
+    with socket.create_connection(("127.0.0.1", served)) as client:
+        read_until(client, b"Grbl 1.1f")
+        with socket.create_connection(("127.0.0.1", served)) as second:
+            second.settimeout(20)
+            assert second.recv(1) == b""
+        client.sendall(b"?")
+        read_until(client, b">")
 
 
 def test_a_pseudo_terminal_is_a_serial_port(tmp_path):

@@ -52,6 +52,21 @@ def test_homing_takes_the_order_the_ends_and_the_places_of_the_file():
         assert line in listed
 
 
+@pytest.mark.parametrize("skew", [6, 2])
+def test_the_second_motor_of_a_gantry_is_squared_in_homing(skew):
+    """The second motor's switch closes 3.25 mm sooner; one goes on alone as far as it may."""
+    said = f"[inputs]\nskew_mm = {skew}\nfeed_mm_min = 60\nbounce_ms = 3\n"
+    talk = Talk(machine(f"{said}[inputs.x]\n[inputs.y]\nsecond = 46.75\n[inputs.z]\n"))
+    talk.said.clear()
+    alarm = [] if skew > 3.25 else ["ALARM:15"]
+    assert switching_runs.home(talk) == [*alarm, "ok"]
+    if alarm:
+        return
+    switches = talk.session._host.switches
+    assert abs(switches.real_nm[1] - 49_000_000) <= switching_runs.STEP_NM
+    assert abs(switches.mate_nm - 45_750_000) <= switching_runs.STEP_NM
+
+
 def test_the_plate_is_where_the_file_has_it():
     talk = homed()
     talk.ask("G21G90G0Z-38")
@@ -105,6 +120,7 @@ def test_door_and_emergency_stop_are_as_the_file_says_when_it_begins():
     ("[inputs]\n[inputs.x]\nend = \"left\"\n", "inputs.x.end", "'least' or 'most'"),
     ("[inputs]\nseek_mm_min = 0\n[inputs.x]\n", "inputs.seek_mm_min", "at least"),
     ("[inputs]\nbounce_ms = nan\n[inputs.x]\n", "inputs.bounce_ms", "finite"),
+    ("[inputs]\n[inputs.x]\nsecond = 49\n[inputs.y]\nsecond = 49\n", "inputs.y.second", "one axis"),
     ("[inputs]\nfoo = 1\n[inputs.x]\n", "inputs.foo", "unknown key"),
     ("[inputs]\n[inputs.x]\nat = \"here\"\n", "inputs.x.at", "number"),
 ])  # fmt: skip
