@@ -15,6 +15,7 @@ const GRID = { stroke: () => (isDark() ? "#26303d" : "#e6e9ee"), width: 1 };
 const LIMIT = "#d9480f";
 const BAND = 9; // height of the band that tells the limits [px]
 const HEIGHTS = { v: 128, a: 84, j: 84 };
+const TIMES = 26; // of the times below the last one [px]
 const RIGHT = 66; // width of the axis on the right [px]
 const SYNC = "pycnc";
 const SHARE = "% of limit";
@@ -74,6 +75,11 @@ function sampleFelt(at, [low, high], width, { least, largest }, factor) {
   return out;
 }
 
+const keysOf = (facts) => (facts.j_max !== null ? ["v", "a", "j"] : ["v", "a"]);
+
+// How high all of them are [px].
+export const tallness = (facts) => keysOf(facts).reduce((sum, key) => sum + HEIGHTS[key], TIMES);
+
 export function makeCurves(holder, facts, model, ask) {
   const last = model.n - 1;
   const state = {
@@ -105,8 +111,8 @@ export function makeCurves(holder, facts, model, ask) {
     { key: "v", colour: "28,100,216",
       value: (i, end) => inUnit(model.v[i - 1 + end]), feed: (i) => inUnit(model.feed[i]) },
     { key: "a", colour: "13,155,108" },
-    ...(facts.j_max !== null ? [{ key: "j", colour: "145,70,214" }] : []),
-  ];
+    { key: "j", colour: "145,70,214" },
+  ].filter(({ key }) => keysOf(facts).includes(key));
 
   // The limits of acceleration or jerk, to both sides.
   function bounds(u, key) {
@@ -184,7 +190,7 @@ export function makeCurves(holder, facts, model, ask) {
 
   function across(isLast) {
     return {
-      stroke: ink, grid: GRID, ticks: { show: false }, size: isLast ? 26 : 0, show: isLast,
+      stroke: ink, grid: GRID, ticks: { show: false }, size: isLast ? TIMES : 0, show: isLast,
       font: "11px system-ui, sans-serif",
       values: (u, splits) => splits.map((value) => (state.isTime
         ? (state.range[1] - state.range[0] > 90 ? clock(value, 0) : `${+value.toFixed(3)} s`)
@@ -196,8 +202,8 @@ export function makeCurves(holder, facts, model, ask) {
     const { key, colour } = curve;
     const isLast = k === curves.length - 1;
     const box = element("div", "curve");
-    const height = HEIGHTS[key] + (isLast ? 26 : 0);
-    box.style.height = `${height}px`; // before uPlot, which is late: the view has its size at once
+    const height = HEIGHTS[key] + (isLast ? TIMES : 0);
+    box.style.height = `${height}px`;
     box.append(element("span", "unit", unitOf(key)));
     if (key !== "v") box.append(element("span", "unit right", otherUnit(key)));
     holder.append(box);
