@@ -260,7 +260,7 @@ def test_the_numbers_are_those_of_why(visit):
     facts = visit.ask("report.facts")
     assert {name: facts[name] for name in told} == told
     assert visit.text("#total") == duration(told["total_s"])
-    assert duration(told["ideal_s"]) in visit.text("#verdict")
+    assert f"ideal time {duration(told['ideal_s'])}" in visit.text("#verdict")
     assert duration(told["time_s"] - told["ideal_s"]) in visit.text("#verdict")
     shown = [cause for cause in told["causes"] if cause["lost_s"] >= 5e-4]
     words = visit.page.locator(".cause .words").all_inner_texts()
