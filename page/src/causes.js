@@ -85,7 +85,7 @@ export function drawHead(facts, text) {
   const lost = facts.time_s - facts.ideal_s;
   const worst = facts.causes[0];
   set("verdict", lost < LEAST_S || !worst
-    ? "Nothing holds it back but the programmed feeds and rapids."
+    ? "Nothing holds it back but the programmed feeds, rapids and dwells."
     : `ideal time ${duration(facts.ideal_s)} · `
       + `${duration(lost)} (${grouped((100 * lost) / facts.time_s)} %) lost, `
       + `most of it to ${worst.words} (${duration(worst.lost_s)})`);

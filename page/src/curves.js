@@ -18,6 +18,7 @@ const HEIGHTS = { v: 128, a: 84, j: 84 };
 const TIMES = 26; // of the times below the last one [px]
 const RIGHT = 66; // width of the axis on the right [px]
 const SYNC = "pycnc";
+const DIGITS = 9; // behind the point, at most
 const SHARE = "% of limit";
 
 // Places, and rows of values there, of the stretches first … last: as they are, or of each pixel
@@ -79,6 +80,18 @@ const keysOf = (facts) => (facts.j_max !== null ? ["v", "a", "j"] : ["v", "a"]);
 
 // How high all of them are [px].
 export const tallness = (facts) => keysOf(facts).reduce((sum, key) => sum + HEIGHTS[key], TIMES);
+
+// Numbers of an axis, with as many digits as tell them apart.
+function numbers(splits) {
+  const step = Math.abs(splits[1] - splits[0]);
+  const isExact = (digits) => {
+    const shifted = step * 10 ** digits;
+    return Math.round(shifted) > 0 && Math.abs(shifted - Math.round(shifted)) < 1e-6 * shifted;
+  };
+  let digits = 0;
+  while (step > 0 && digits < DIGITS && !isExact(digits)) digits++;
+  return splits.map((value) => grouped(value, digits));
+}
 
 export function makeCurves(holder, facts, model, ask) {
   const last = model.n - 1;
@@ -176,7 +189,7 @@ export function makeCurves(holder, facts, model, ask) {
   const axis = (label) => ({
     stroke: ink, grid: GRID, ticks: { show: false }, size: 74, gap: 4,
     label, labelSize: 0, font: "11px system-ui, sans-serif",
-    values: (u, splits) => splits.map((value) => grouped(value)), space: 20,
+    values: (u, splits) => numbers(splits), space: 20,
   });
 
   const second = (key) => ({
@@ -192,9 +205,9 @@ export function makeCurves(holder, facts, model, ask) {
     return {
       stroke: ink, grid: GRID, ticks: { show: false }, size: isLast ? TIMES : 0, show: isLast,
       font: "11px system-ui, sans-serif",
-      values: (u, splits) => splits.map((value) => (state.isTime
-        ? (state.range[1] - state.range[0] > 90 ? clock(value, 0) : `${+value.toFixed(3)} s`)
-        : `${grouped(value)} mm`)),
+      values: (u, splits) => (state.isTime && state.range[1] - state.range[0] > 90
+        ? splits.map((value) => clock(value, 0))
+        : numbers(splits).map((value) => `${value} ${state.isTime ? "s" : "mm"}`)),
     };
   }
 
