@@ -49,8 +49,8 @@ class Part(Model):
     cut_s: float = _is("cutting")
     rapid_s: float = _is("rapids")
     dwell_s: float = _is("dwells and waits")
-    tool_change_s: float = _is("changes of tool, as the machine has them in `[times]`")
-    spindle_s: float = _is("starts of the spindle, likewise")
+    tool_change_s: float = _is("tool changes, as the machine has them in `[times]`")
+    spindle_s: float = _is("spindle starts, likewise")
     time_s: float = _is("all of these")
 
 
@@ -59,15 +59,15 @@ class Time(Program):
 
     period_s: float = _is("interpolation period")
     time_s: float = _is("that of the axes and of dwells, to the tick")
-    total_s: float = _is("`time_s`, changes of tool and starts of the spindle")
+    total_s: float = _is("`time_s`, tool changes and spindle starts")
     cut_s: float = _is("cutting")
     rapid_s: float = _is("rapids")
     dwell_s: float = _is("dwells and waits")
     accelerate_s: float = _is("of cuts and rapids: speeding up")
     cruise_s: float = _is("steady")
     decelerate_s: float = _is("braking")
-    tool_change_s: float = _is("changes of tool")
-    spindle_s: float = _is("starts of the spindle")
+    tool_change_s: float = _is("tool changes")
+    spindle_s: float = _is("spindle starts")
     tool_changes: int = _is("how many")
     spindle_starts: int = _is("how many")
     blocks: int = _is("decoded blocks")
@@ -145,7 +145,7 @@ class Cure(Model):
 
     cure: str = _is("what was changed, in words or as `--what-if KEY=VALUE` asks for it")
     time_s: float = _is("of that plan")
-    total_s: float = _is("the same with changes of tool and starts of the spindle")
+    total_s: float = _is("the same with tool changes and spindle starts")
     gain_s: float = _is("how much sooner it ends; negative: later")
 
 
@@ -159,10 +159,10 @@ class Why(Program):
     )
     time_s: float = _is("as `time` tells it")
     total_s: float = _is("as `time` tells it")
-    tool_change_s: float = _is("changes of tool")
-    spindle_s: float = _is("starts of the spindle")
+    tool_change_s: float = _is("tool changes")
+    spindle_s: float = _is("spindle starts")
     limit_time_s: dict[str, float] = _is("as `time` tells it")
-    ideal_s: float = _is("if only feeds, rapids and dwells held it back")
+    ideal_s: float = _is("ideal time: if only feeds, rapids and dwells held it back")
     ideal: Ideal = _is("what that is made of")
     causes: list[Cause] = _is("the worst first")
     what_if: list[Cure] = _is("with `--what-if`, the best first; else empty")

@@ -85,8 +85,8 @@ export function drawHead(facts, text) {
   const lost = facts.time_s - facts.ideal_s;
   const worst = facts.causes[0];
   set("verdict", lost < LEAST_S || !worst
-    ? "Nothing holds it back but the programmed feeds and rapids."
-    : `${duration(facts.ideal_s)} at the programmed feeds and rapids · `
+    ? "Nothing holds it back but the programmed feeds, rapids and dwells."
+    : `ideal time ${duration(facts.ideal_s)} · `
       + `${duration(lost)} (${grouped((100 * lost) / facts.time_s)} %) lost, `
       + `most of it to ${worst.words} (${duration(worst.lost_s)})`);
   const parts = [["cut_s", "at feed"], ["rapid_s", "rapids"], ["dwell_s", "dwells"]];

@@ -15,8 +15,10 @@ const GRID = { stroke: () => (isDark() ? "#26303d" : "#e6e9ee"), width: 1 };
 const LIMIT = "#d9480f";
 const BAND = 9; // height of the band that tells the limits [px]
 const HEIGHTS = { v: 128, a: 84, j: 84 };
+const TIMES = 26; // of the times below the last one [px]
 const RIGHT = 66; // width of the axis on the right [px]
 const SYNC = "pycnc";
+const DIGITS = 9; // behind the point, at most
 const SHARE = "% of limit";
 
 // Places, and rows of values there, of the stretches first … last: as they are, or of each pixel
@@ -74,6 +76,23 @@ function sampleFelt(at, [low, high], width, { least, largest }, factor) {
   return out;
 }
 
+const keysOf = (facts) => (facts.j_max !== null ? ["v", "a", "j"] : ["v", "a"]);
+
+// How high all of them are [px].
+export const tallness = (facts) => keysOf(facts).reduce((sum, key) => sum + HEIGHTS[key], TIMES);
+
+// Numbers of an axis, with as many digits as tell them apart.
+function numbers(splits) {
+  const step = Math.abs(splits[1] - splits[0]);
+  const isExact = (digits) => {
+    const shifted = step * 10 ** digits;
+    return Math.round(shifted) > 0 && Math.abs(shifted - Math.round(shifted)) < 1e-6 * shifted;
+  };
+  let digits = 0;
+  while (step > 0 && digits < DIGITS && !isExact(digits)) digits++;
+  return splits.map((value) => grouped(value, digits));
+}
+
 export function makeCurves(holder, facts, model, ask) {
   const last = model.n - 1;
   const state = {
@@ -105,8 +124,8 @@ export function makeCurves(holder, facts, model, ask) {
     { key: "v", colour: "28,100,216",
       value: (i, end) => inUnit(model.v[i - 1 + end]), feed: (i) => inUnit(model.feed[i]) },
     { key: "a", colour: "13,155,108" },
-    ...(facts.j_max !== null ? [{ key: "j", colour: "145,70,214" }] : []),
-  ];
+    { key: "j", colour: "145,70,214" },
+  ].filter(({ key }) => keysOf(facts).includes(key));
 
   // The limits of acceleration or jerk, to both sides.
   function bounds(u, key) {
@@ -170,7 +189,7 @@ export function makeCurves(holder, facts, model, ask) {
   const axis = (label) => ({
     stroke: ink, grid: GRID, ticks: { show: false }, size: 74, gap: 4,
     label, labelSize: 0, font: "11px system-ui, sans-serif",
-    values: (u, splits) => splits.map((value) => grouped(value)), space: 20,
+    values: (u, splits) => numbers(splits), space: 20,
   });
 
   const second = (key) => ({
@@ -184,11 +203,11 @@ export function makeCurves(holder, facts, model, ask) {
 
   function across(isLast) {
     return {
-      stroke: ink, grid: GRID, ticks: { show: false }, size: isLast ? 26 : 0, show: isLast,
+      stroke: ink, grid: GRID, ticks: { show: false }, size: isLast ? TIMES : 0, show: isLast,
       font: "11px system-ui, sans-serif",
-      values: (u, splits) => splits.map((value) => (state.isTime
-        ? (state.range[1] - state.range[0] > 90 ? clock(value, 0) : `${+value.toFixed(3)} s`)
-        : `${grouped(value)} mm`)),
+      values: (u, splits) => (state.isTime && state.range[1] - state.range[0] > 90
+        ? splits.map((value) => clock(value, 0))
+        : numbers(splits).map((value) => `${value} ${state.isTime ? "s" : "mm"}`)),
     };
   }
 
@@ -196,8 +215,8 @@ export function makeCurves(holder, facts, model, ask) {
     const { key, colour } = curve;
     const isLast = k === curves.length - 1;
     const box = element("div", "curve");
-    const height = HEIGHTS[key] + (isLast ? 26 : 0);
-    box.style.height = `${height}px`; // before uPlot, which is late: the view has its size at once
+    const height = HEIGHTS[key] + (isLast ? TIMES : 0);
+    box.style.height = `${height}px`;
     box.append(element("span", "unit", unitOf(key)));
     if (key !== "v") box.append(element("span", "unit right", otherUnit(key)));
     holder.append(box);

@@ -5,6 +5,7 @@ const FINEST = 14; // the finest thinned level is 2^-14 of the part
 const COARSEST = 9;
 const CHANGE = 0.06; // of the largest speed: a larger change is kept
 const CHUNK = 256; // points that are looked for together
+const FIRST = 1 << 15; // points of the first picture, at most
 
 // Points of a finer level that stay: bends further than `apart`, low points, and where what is
 // told of the path changes.
@@ -48,7 +49,8 @@ function boxes(model, points) {
   return made;
 }
 
-export function makeLevels(model, extent) {
+// Levels of detail, from all points to the fewest.
+function ladder(model, extent) {
   const all = new Uint32Array(model.n);
   let fastest = 0;
   for (let i = 0; i < model.n; i++) {
@@ -61,10 +63,30 @@ export function makeLevels(model, extent) {
     const points = thin(model, made.at(-1).points, apart, CHANGE * fastest);
     made.push({ apart, points });
   }
-  for (const level of made) level.boxes = boxes(model, level.points);
-  // The coarsest that is no further off than `apart` [mm].
+  return made;
+}
+
+// One of every so many points, and the last one.
+function sparse({ n }) {
+  const every = Math.ceil(n / FIRST);
+  const points = new Uint32Array(Math.ceil((n - 1) / every) + 1);
+  for (let k = 0; k < points.length; k++) points[k] = Math.min(n - 1, k * every);
+  return [{ apart: 0, points }];
+}
+
+// Till `refine` is called there are just the points of the first picture.
+export function makeLevels(model, extent) {
+  let made;
+  function take(levels) {
+    made = levels;
+    for (const level of made) level.boxes = boxes(model, level.points);
+  }
+  take(sparse(model));
   return {
-    made, CHUNK,
+    CHUNK,
+    made: () => made,
+    refine: () => take(ladder(model, extent)),
+    // The coarsest that is no further off than `apart` [mm].
     at: (apart) => made.findLast((level) => level.apart <= apart) ?? made[0],
   };
 }

@@ -6,7 +6,7 @@ import {
   drawCauses, drawCures, drawHead, lowsOf, causeColour, marksOf, pointOf,
 } from "./causes.js";
 import { modes } from "./colours.js";
-import { makeCurves } from "./curves.js";
+import { makeCurves, tallness } from "./curves.js";
 import { linesAt, load, nearestLine, stretchAt } from "./data.js";
 import { makeFilter } from "./filter.js";
 import { makeFind } from "./find.js";
@@ -61,15 +61,67 @@ function drawLegend(box, mode) {
   }
 }
 
-function start({ facts, model, text }) {
+// How far the path goes along the axes.
+function tellSize(facts, scene) {
+  const sides = linearOf(facts).map((axis) => [axis.toUpperCase(),
+    scene.size["xyz".indexOf(axis)]]);
+  by("size").textContent = `${sides.map(([axis, side]) => `${axis} ${side.toFixed(1)}`)
+    .join(" × ")} mm${facts.turned.length ? " on the part" : ""}`;
+  if (facts.turned.length) {
+    by("size").title = `The path as the part sees it: ${facts.turned.join(" and ").toUpperCase()} `
+      + "turned about the zero of the work system.";
+  }
+}
+
+const linearOf = (facts) => ["x", "y", "z"].filter((axis) => facts.axes.includes(axis));
+
+// The path, and what it is shown by: the first picture needs no more.
+function makeStage({ facts, model, text }) {
   const state = { moment: { i: 1, f: 0 }, play: 0, last: 0 };
   const found = modes(facts, model);
-  const linear = ["x", "y", "z"].filter((axis) => facts.axes.includes(axis));
   drawHead(facts, text);
+  by("curves").style.minHeight = `${tallness(facts)}px`; // the view has its size at once
   const scene = makeScene(by("view"), facts, model);
   const part = makePart({ cutter: by("cutter"), view: by("view"), over: by("over") }, facts, model,
     scene);
   const over = makeOver(by("over"), scene, model);
+  const placed = marksOf(facts).map(({ cause, place }, k) => ({
+    i: pointOf(facts, model, cause, place), label: String(k + 1), colour: causeColour(cause),
+  }));
+  over({ marks: placed });
+  choice(by("modes"), Object.keys(found),
+    (name) => name[0].toUpperCase() + name.slice(1), (name) => {
+      state.mode = name;
+      scene.look({ mode: found[name] });
+      drawLegend(by("legend"), found[name]);
+    })("slowness");
+  const view = choice(by("views"), scene.views, (name) => name, (name) => {
+    state.view = name;
+    scene.turn(name);
+  });
+  view(scene.start);
+  by("shows").hidden = !part;
+  if (part) {
+    choice(by("shows"), ["path", "part"], (name) => name, (name) => {
+      const isPart = name === "part";
+      over({ marks: isPart ? [] : placed });
+      by("legend").hidden = isPart;
+      part.show(isPart);
+      if (isPart && facts.lathe) view("Z X");
+      else if (isPart && state.view === "Top") view("Iso");
+      if (isPart) part.frame();
+    })("path");
+  }
+  makeFilter({ box: by("filter"), low: by("low"), high: by("high"), tool: by("tool-only"),
+    told: by("filtered") }, model, scene.bounds, (within) => scene.look({ within }));
+  tellSize(facts, scene);
+  scene.resize();
+  return { state, found, scene, part, over };
+}
+
+// All the rest, and what connects it.
+function connect({ facts, model, text }, { state, found, scene, part, over }) {
+  const linear = linearOf(facts);
   const timeOf = ({ i, f }) => model.t[i - 1] + f * (model.t[i] - model.t[i - 1]);
   const speedOf = ({ i, f }) => model.v[i - 1] + f * (model.v[i] - model.v[i - 1]);
 
@@ -180,47 +232,14 @@ function start({ facts, model, text }) {
 
   const listing = makeListing(by("listing"), by("rows"), { text, model, facts }, ask);
   const curves = makeCurves(by("curves"), facts, model, ask);
-  const marks = marksOf(facts);
-  drawCauses(by("causes"), facts, marks, listing.lineText, ask);
+  drawCauses(by("causes"), facts, marksOf(facts), listing.lineText, ask);
   drawCures(by("causes"), facts);
-  const placed = marks.map(({ cause, place }, k) => ({
-    i: pointOf(facts, model, cause, place), label: String(k + 1), colour: causeColour(cause),
-  }));
-  over({ marks: placed });
-
-  by("shows").hidden = !part;
-  if (part) {
-    choice(by("shows"), ["path", "part"], (name) => name, (name) => {
-      const isPart = name === "part";
-      over({ marks: isPart ? [] : placed });
-      by("legend").hidden = isPart;
-      part.show(isPart);
-      if (isPart && facts.lathe) ask.view("Z X");
-      else if (isPart && state.view === "Top") ask.view("Iso");
-      if (isPart) part.frame();
-    })("path");
-  }
-
-  const mode = choice(by("modes"), Object.keys(found),
-    (name) => name[0].toUpperCase() + name.slice(1), (name) => {
-      state.mode = name;
-      scene.look({ mode: found[name] });
-      drawLegend(by("legend"), found[name]);
-    });
-  mode("slowness");
-  ask.view = choice(by("views"), scene.views, (name) => name, (name) => {
-    state.view = name;
-    scene.turn(name);
-  });
-  ask.view(scene.start);
   choice(by("units"), Object.keys(UNITS), (name) => name, (name) => {
     setUnit(name);
     curves.label();
     drawLegend(by("legend"), found[state.mode]);
     setNow(state.moment);
   })("mm/min");
-  makeFilter({ box: by("filter"), low: by("low"), high: by("high"), tool: by("tool-only"),
-    told: by("filtered") }, model, scene.bounds, (within) => scene.look({ within }));
   const find = makeFind({ input: by("find"), back: by("find-back"), on: by("find-on"),
     told: by("found") }, text, ask);
   document.addEventListener("keydown", (event) => {
@@ -244,13 +263,6 @@ function start({ facts, model, text }) {
     curves.rapids(event.target.checked);
   });
   by("whole").addEventListener("click", () => curves.whole());
-  const sides = linear.map((axis) => [axis.toUpperCase(), scene.size["xyz".indexOf(axis)]]);
-  by("size").textContent = `${sides.map(([axis, side]) => `${axis} ${side.toFixed(1)}`)
-    .join(" × ")} mm${facts.turned.length ? " on the part" : ""}`;
-  if (facts.turned.length) {
-    by("size").title = `The path as the part sees it: ${facts.turned.join(" and ").toUpperCase()} `
-      + "turned about the zero of the work system.";
-  }
   pointer(by("over"), scene, (moment, px, py, isClick) => {
     if (isClick && moment) {
       setNow(moment);
@@ -342,12 +354,17 @@ async function main() {
     by("note").textContent = "This browser is too old for this page: it needs DecompressionStream.";
     return;
   }
-  const { scene } = window.report = start(await load());
-  performance.mark("drawn"); // the first picture
-  requestAnimationFrame(() => setTimeout(() => {
-    scene.quicken();
-    document.body.dataset.ready = scene.kind();
-  }));
+  const data = await load();
+  const stage = makeStage(data);
+  await shown();
+  performance.mark("drawn"); // the first picture is there
+  window.report = connect(data, stage);
+  await shown();
+  stage.scene.quicken();
+  document.body.dataset.ready = stage.scene.kind();
 }
+
+// What is drawn is on the screen.
+const shown = () => new Promise((done) => { requestAnimationFrame(() => setTimeout(done)); });
 
 main();

@@ -3,6 +3,7 @@
 
 const STEPS = 24; // levels of each colour: pieces of one colour are one stroke
 const KEYS = 32 ** 3;
+const BROAD_MOST = 10_000; // pieces: broad strokes of more take ten times as long as thin ones
 
 export function makeCanvas(holder) {
   const canvas = document.createElement("canvas");
@@ -56,7 +57,7 @@ export function makeCanvas(holder) {
       const { width, height } = canvas;
       pen.fillStyle = background;
       pen.fillRect(0, 0, width, height);
-      pen.lineWidth = (pieces.count > 60000 ? 1 : 1.8) * window.devicePixelRatio;
+      pen.lineWidth = (pieces.count > BROAD_MOST ? 1 : 1.8) * window.devicePixelRatio;
       pen.lineCap = "round";
       const p = pieces.positions;
       const across = (at) => (0.5 + 0.5 * (m[0] * p[at] + m[4] * p[at + 1] + m[8] * p[at + 2]

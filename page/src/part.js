@@ -43,7 +43,7 @@ export function makePart({ cutter, view, over }, facts, model, scene) {
     state,
     show(isShown) {
       state.isShown = isShown;
-      state.stock ??= makeStock(facts, model, cutterOf);
+      if (isShown) state.stock ??= makeStock(facts, model, cutterOf);
       paint.canvas.hidden = !isShown;
       cutter.closest("label").hidden = !isShown || isTold || facts.lathe;
       scene.later(false);

@@ -60,9 +60,11 @@ export function makeScene(holder, facts, model) {
   let stale = true;
   let due = 0;
 
-  // The first picture is the canvas's, which needs nobody. WebGL takes over once it has drawn: it
-  // may be absent, or slow to begin.
+  // The first picture is the canvas's, which needs nobody, of few points. All of them come behind
+  // it, and WebGL takes over once it has drawn: it may be absent, or slow to begin.
   function quicken() {
+    levels.refine();
+    later(true);
     if (location.hash === "#canvas") return;
     const first = paint;
     try {
@@ -300,7 +302,7 @@ export function makeScene(holder, facts, model) {
     start: facts.lathe ? "Z X" : flat ? "Top" : "Iso",
     kind: () => paint.kind,
     turn, show, frame, swing, move, zoom, onPaper, pick, screenOf, project, pixel, later, draw,
-    quicken,
+    quicken, resize,
     onDraw: (listener) => listeners.push(listener),
     look(changes) {
       look = { ...look, ...changes };

@@ -48,10 +48,8 @@ from pycnc.cli.words import (
 from pycnc.names import DEFAULT
 
 _PARTS_SHOWN = 20
-_TIMES = ("cut", "rapid", "dwell", "tool_change", "spindle")
 _WITHOUT_PARTS = ("file", "machine", "version", "schema_version", "period_s", "time_s", "total_s",
                   "ticks", "slope", "control", "diagnostics")  # fmt: skip
-_MOTION = ("accelerate", "cruise", "decelerate")
 
 
 @verb(app, "time part.ngc other.ngc --by section", without=LAB)
@@ -65,7 +63,7 @@ def time(
 ):  # fmt: skip
     """Tell the machining time of programs, from the plan.
 
-    With changes of tool and starts of the spindle, as the machine file has them in [times].
+    With tool changes and spindle starts, as the machine file has them in [times].
     """
     from pycnc.planning.plan import check_backend
 
@@ -165,7 +163,7 @@ def _timed(machine, file, *, plan, backend, by, as_json, override, left, quiet):
 
 def _run_at(machine, file, override, as_json, quiet):
     """Run a program under an override, as the kernel's clock has it, and tell its time."""
-    from pycnc.planning.control import title
+    from pycnc.report import times
     from pycnc.report.trace import Trace
 
     program, facts, code = look_at(file, machine, quiet, as_json, keep=False)
@@ -176,8 +174,7 @@ def _run_at(machine, file, override, as_json, quiet):
     told = {name: done.summary[name] for name in _WITHOUT_PARTS} | {"override": override}
     if not as_json:
         tell(program, quiet, sys.stderr)
-        head = f"{program.file} on {program.machine.name}, {title(program.machine)}"
-        print(f"{head}, override {override} %: {_duration(told['total_s'])}")
+        print(times.head(program, told["total_s"], f", override {override} %"))
     return told, GOOD
 
 
@@ -257,7 +254,7 @@ def look(
     mill = machine_of(machine, set, tools, dialect, slope=slope, zero=zero, quiet=quiet)
 
     def lines(found):
-        return [_time_line(found.plan, 100), *reasons.lines(found), output]
+        return [_time_line(found.plan, 100), *reasons.of_total(found), output]
 
     return _write_page(file, mill, output, lines, quiet=quiet, json_=json_)
 
@@ -288,19 +285,19 @@ def _page_of(file, output):
 
 
 def _time_line(plan, override):
-    from pycnc.planning.control import title
     from pycnc.planning.plan import BY
+    from pycnc.report import times
 
-    machine = plan.program.machine
-    head = f"{plan.program.file} on {machine.name}, {title(machine)}"
     by = f", planned {BY[plan.kind]}" if BY[plan.kind] else ""
     by += f", override {override} %" if override != 100 else ""
-    return f"{head}{by}: {_duration(plan.totals['total_s'])} ({_split(plan.totals)})"
+    return f"{times.head(plan.program, plan.totals['total_s'], by)} ({_split(plan.totals)})"
 
 
 def _total_line(told, count):
     """Return the sums over several files."""
-    names = ("total_s", *(f"{name}_s" for name in (*_TIMES, *_MOTION)))
+    from pycnc.report import times
+
+    names = ("total_s", *(f"{name}_s" for name in (*times.KINDS, *times.MOTIONS)))
     sums = {name: sum(facts[name] for facts in told) for name in names}
     without = f" ({count - len(told)} without a time)" if len(told) < count else ""
     return f"total of {len(told)} files{without}: {_duration(sums['total_s'])} ({_split(sums)})"
@@ -308,15 +305,10 @@ def _total_line(told, count):
 
 def _split(facts):
     """Return what a time is made of, in the words of ``run``; zeros are left out."""
-    groups = ([f"{_words(name)} {_duration(facts[f'{name}_s'])}" for name in names
-               if facts[f"{name}_s"] > 0] for names in (_TIMES, _MOTION))  # fmt: skip
-    return "; ".join(", ".join(group) for group in groups if group)
+    from pycnc.report import times
 
-
-def _words(name):
-    from pycnc.report.summary import MOTION_WORDS
-
-    return MOTION_WORDS.get(name, name.replace("_", " "))
+    groups = (times.told(facts, names) for names in (times.KINDS, times.MOTIONS))
+    return "; ".join(", ".join(map(" ".join, group)) for group in groups if group)
 
 
 def _part_cells(part, columns, total_s):
@@ -328,12 +320,14 @@ def _part_cells(part, columns, total_s):
 
 def _part_lines(plan, by):
     """Yield the table of the parts of a program's time."""
+    from pycnc.report import times
+
     parts, total_s = plan.parts, plan.totals["total_s"]
     shown, rest = parts[:_PARTS_SHOWN], parts[_PARTS_SHOWN:]
     if not shown:
         return
-    columns = [name for name in _TIMES if any(part[f"{name}_s"] > 0 for part in shown)]
-    heads = ["time", "share", *(name.replace("_", " ") for name in columns), "line"]
+    columns = [name for name in times.KINDS if any(part[f"{name}_s"] > 0 for part in shown)]
+    heads = ["time", "share", *(times.KINDS[name] for name in columns), "line"]
     rows = [_part_cells(part, columns, total_s) for part in shown]
     widths = [max(map(len, column)) for column in zip(heads, *rows, strict=True)]
     names = [by, *(part["name"] for part in shown)]

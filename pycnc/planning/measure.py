@@ -223,7 +223,7 @@ def plan_times(totals, machine):
     -------
     dict
         Times in s, lengths in mm. ``time_s`` is that of the axes and of dwells, to the tick;
-        ``total_s`` is it with the changes of tool and the starts of the spindle.
+        ``total_s`` is it with tool changes and spindle starts.
     """
     names = ("time_s", "cut_s", "rapid_s", "dwell_s", "accelerate_s", "cruise_s", "decelerate_s")
     times = {name: float(totals[name]) for name in names}

@@ -29,8 +29,8 @@ WORDS = {
     "chord": "arcs and bends, chord error",
     "jerk": "bends, jerk",
     "exact_stop": "stops at sharp corners",
-    "dwell": "around dwells",
-    "wait": "around waits for tool or operator",
+    "dwell": "slowing down for dwells",
+    "wait": "slowing down for M0, M1, M6 etc.",
     "lookahead": "the length of the look-ahead",
     "feed_max": "the machine's highest feed",
     "spindle": "the spindle's speed",
@@ -146,7 +146,7 @@ class Why(shown.Tables):
         Returns
         -------
         list of dict
-            ``cure``, ``time_s``, ``total_s`` with changes of tool and starts of the spindle,
+            ``cure``, ``time_s``, ``total_s`` with tool changes and spindle starts,
             ``gain_s`` of that (negative: it is slower), the best first; `cures`.
 
         Raises

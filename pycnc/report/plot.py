@@ -114,7 +114,7 @@ def write(trace, path):
 
 def _title(trace):
     name, machine = Path(trace.program.file).name, trace.program.machine.name
-    return f"{name}   ·   {machine}   ·   {duration(trace.summary['time_s'])}"
+    return f"{name}   ·   {machine}   ·   {duration(trace.summary['total_s'])}"
 
 
 def _positions(trace):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What ``pycnc why`` tells a person: causes with their worst places, and what cures gain."""
 
-from pycnc.planning.control import title
+from pycnc.report import times
 from pycnc.report.plot import duration
 
 _CAUSES_SHOWN = 12
@@ -19,8 +19,8 @@ def short(found):
     ----------
     found : Why
     """
-    ideal = duration(found.ideal_s)
-    yield f"What holds it back: {ideal} if only feeds, rapids and dwells did"
+    ideal, lost = (duration(each) for each in (found.ideal_s, found.time_s - found.ideal_s))
+    yield f"What holds it back: ideal time {ideal} · lost {lost}"
     yield from _table_of(found, _SHORT, 1)
 
 
@@ -42,18 +42,24 @@ def lines(found):
     ----------
     found : Why
     """
-    facts = found.as_dict()
-    yield (
-        f"{facts['file']}: {duration(found.time_s)} on {facts['machine']}, "
-        f"{title(found.program.machine)}; {duration(found.ideal_s)} if only feeds, rapids and "
-        "dwells held it back"
-    )
-    extra = facts["total_s"] - facts["time_s"]
-    if extra > 0:
-        yield f"  and {duration(extra)} for changes of tool and starts of the spindle"
+    yield times.head(found.program, found.plan.totals["total_s"])
+    yield from of_total(found)
+
+
+def of_total(found):
+    """Yield the lines behind the whole time of a program."""
+    yield f"  {_sums(found)}"
     yield from _table_of(found, _CAUSES_SHOWN)
     if found.cures:
         yield from _cures(found.cures)
+
+
+def _sums(found):
+    """Return what the whole time is the sum of."""
+    parts = [("ideal time", duration(found.ideal_s)),
+             *times.told(found.plan.totals, times.EXTRAS),
+             ("lost", duration(found.time_s - found.ideal_s))]  # fmt: skip
+    return " · ".join(f"{word} {time}" for word, time in parts)
 
 
 def _rows(cause, most):

@@ -6,15 +6,13 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from pycnc.planning.control import title
 from pycnc.planning.plan import BY
-from pycnc.report import reasons
+from pycnc.report import reasons, times
 from pycnc.report.plot import duration
 
 _SHOWN_LIMITS = 6
 _BAR = 40  # characters
 JERK_TOLD = 1e-6  # by how much a peak of jerk is above its limit before words are made of it
-MOTION_WORDS = {"accelerate": "speeding up", "cruise": "steady", "decelerate": "braking"}
 LIMIT_WORDS = {
     "feed": "the programmed feed",
     "rapid": "rapid speed",
@@ -25,7 +23,7 @@ LIMIT_WORDS = {
     "jerk": "jerk",
     "exact_stop": "a stop",
     "dwell": "a dwell",
-    "wait": "a wait for tool or operator",
+    "wait": "a wait: M0, M1, M6 etc.",
     "lookahead": "the length of the look-ahead",
     "starved": "starvation: preparation was late",
     "feed_max": "the machine's highest feed",
@@ -50,7 +48,7 @@ def render(trace, files=()):
         What was written: what it is, and its path.
     """
     facts = trace.summary
-    parts = [_head(trace), "", _times(facts), "", _limits(trace), "", _peaks(trace)]
+    parts = [_head(trace), "", _times(trace), "", _limits(trace), "", _peaks(trace)]
     if facts["starved_ticks"]:
         parts += ["", Text(f"{facts['starved_ticks']:,} ticks waited for the path.", "yellow")]
     parts += ["", _diagnostics(trace.program.diagnostics), *_remarks(trace.program.diagnostics)]
@@ -59,11 +57,8 @@ def render(trace, files=()):
 
 
 def _head(trace):
-    facts, machine = trace.summary, trace.program.machine
-    first = _whole_line(Text.assemble(
-        (trace.program.file, "bold"), " on ", (machine.name, "bold"), f", {title(machine)}: ",
-        (duration(facts["time_s"]), "bold green"),
-    ))  # fmt: skip
+    facts = trace.summary
+    first = _whole_line(Text(times.head(trace.program, facts["total_s"]), "bold"))
     rate = facts["ticks"] / max(facts["run_s"], 1e-9)
     second = Text(
         f"{facts['blocks']:,} blocks, {_length(facts['length_mm'])} of path, "
@@ -95,28 +90,16 @@ def _table(*columns):
     return table
 
 
-def _times(facts):
+def _times(trace):
+    facts = {**trace.plan.totals, **trace.summary}  # what the run took, and what no axis makes
     table = _table(("Time", "left"), ("", "right"), ("", "left"))
-    for name in ("cut", "rapid", "dwell"):
+    for name, word in times.KINDS.items():
         seconds = facts[f"{name}_s"]
         if seconds > 0:
-            share = _bar(seconds / max(facts["time_s"], 1e-9))
-            table.add_row(f"  {name}", duration(seconds), Text(share, "blue"))
-    moving = " · ".join(
-        f"{word} {duration(facts[f'{name}_s'])}"
-        for name, word in MOTION_WORDS.items()
-        if facts[f"{name}_s"] > 0
-    )
-    words = [*([moving] if moving else ()), *_extra_words(facts)]
-    return Group(table, *(Padding(Text(each, "dim"), (0, 0, 0, 2)) for each in words))
-
-
-def _extra_words(facts):
-    """Yield what takes time that no axis makes."""
-    extra = facts["total_s"] - facts["time_s"]
-    if extra > 0:
-        whole = duration(facts["total_s"])
-        yield f"and {duration(extra)} for tool changes and spindle starts: {whole} in all"
+            share = _bar(seconds / max(facts["total_s"], 1e-9))
+            table.add_row(f"  {word}", duration(seconds), Text(share, "blue"))
+    moving = " · ".join(f"{word} {time}" for word, time in times.told(facts, times.MOTIONS))
+    return Group(table, *([Padding(Text(moving, "dim"), (0, 0, 0, 2))] if moving else []))
 
 
 def _bar(share):

@@ -51,6 +51,46 @@ def test_a_run_tells_what_why_tells(family, slope, seed, tmp_path):
         assert left[:5] == right[:5]
 
 
+PARTS = ("cut", "rapid", "dwell", "tool changes", "spindle starts", "speeding up", "steady",
+         "braking")  # fmt: skip
+TIME = r"(?:\d+ (?:h|min) )?[\d.]+ (?:s|min)"
+TOOLS = "--set", "times.tool_change_s=8", "--set", "times.spindle_start_s=1.5"
+
+
+def parts_of(shown):
+    """Return part → its time, as one of `PARTS` is told somewhere."""
+    found = {words: re.search(rf"\b{words} +({TIME})", shown) for words in PARTS}
+    return {words: match[1] for words, match in found.items() if match}
+
+
+def seconds(words):
+    """Return a time in words as a number."""
+    units = {"h": 3600, "min": 60, "s": 1}
+    return sum(float(n) * units[unit] for n, unit in re.findall(r"([\d.]+) (h|min|s)", words))
+
+
+@pytest.mark.sample(4, quick=1)
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("family", ["lines", "smooth", "arcs", "stops"])
+def test_all_verbs_tell_one_time_in_one_vocabulary(family, seed, tmp_path):
+    file = part(tmp_path, family, seed)
+    file.write_text(file.read_text().replace("M2\n", "T2 M6\nM3 S900\nM2\n", 1))
+    shown = {verb: pycnc(verb, file, *TOOLS).out
+             for verb in ("time", "why", "run", "look", "report")}  # fmt: skip
+    heads = {re.match(r".*, slope \w+: [^(\n]*[^(\n ]", shown[verb])[0]
+             for verb in ("time", "why", "run", "look")}  # fmt: skip
+    assert len(heads) == 1
+    (whole,) = {seconds(each.rpartition(":")[2]) for each in heads}
+    told = parts_of(shown["time"])
+    assert told == parts_of(shown["run"]) == parts_of(shown["look"].splitlines()[0])
+    assert {"tool changes", "spindle starts"} <= set(told)
+    (sums,) = {re.search(r"  (ideal time .*)", shown[verb])[1] for verb in ("why", "look")}
+    in_run = re.search("What holds it back: (ideal time .*)", shown["run"])[1]
+    assert in_run.split(" · ") == [sums.split(" · ")[0], sums.split(" · ")[-1]]
+    assert sum(seconds(each) for each in sums.split("·")) == pytest.approx(whole, rel=1e-3)
+    assert table(shown["look"]) == table(shown["why"])
+
+
 def test_what_there_is_none_of_is_not_told(tmp_path):
     file = tmp_path / "part.ngc"
     file.write_text("G21 G90 G1 X10 F600\nM2\n")

@@ -128,9 +128,9 @@ def test_parts_are_told_as_a_table_with_units(tmp_path):
     file.write_bytes(PROGRAM)
     result = pycnc("time", file, "--by", "tool")
     head, columns, *rows = result.out.splitlines()
-    assert re.search(r"tool change 16\.00 s, spindle 6\.000 s; speeding up", head)
-    assert columns.split() == ["time", "share", "cut", "rapid", "dwell", "tool", "change",
-                               "spindle", "line", "tool"]  # fmt: skip
+    assert re.search(r"tool changes 16\.00 s, spindle starts 6\.000 s; speeding up", head)
+    assert columns.split() == ["time", "share", "cut", "rapid", "dwell", "tool", "changes",
+                               "spindle", "starts", "line", "tool"]  # fmt: skip
     assert [row.split()[-1] for row in rows] == ["T2", "T1"]
     assert all(" s " in row for row in rows)
     told = json.loads(pycnc("time", file, "--by", "section", "--json").out)

@@ -40,3 +40,16 @@ def test_every_python_that_is_promised_is_within_the_bound():
     assert named
     assert named[0] == least
     assert PROJECT["authors"][0]["name"] in CITATION
+
+
+def test_what_no_machine_here_can_try_is_told():
+    told = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8").split("## A release")[1]
+    wheels = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"][
+        "cibuildwheel"]  # fmt: skip
+    for platform, words in (("linux", "Linux aarch64"), ("macos", "macOS"), ("windows", "Windows")):
+        assert wheels[platform]["archs"]
+        assert f"| {words} |" in told
+    assert f"`{PROJECT['name']}`" in told
+    assert ("urls" in PROJECT) == ("url:" in CITATION), "addresses come together"
+    for name in re.findall(r"`(test_\w+\.py)`", told):
+        assert (ROOT / "tests" / "package" / name).is_file()

@@ -70,7 +70,7 @@ def test_the_commands_of_the_five_minutes_work(workshop):
     assert Machine.from_text(f"{text}\n{inputs}").switches is not None
     settings = [f"times.{line.replace(' ', '')}" for line in times.splitlines()[1:]]
     set_them = [word for each in settings for word in ("--set", each)]
-    assert "tool change 16.00 s" in pycnc("time", "part.ngc", *set_them).out
+    assert "tool changes 16.00 s" in pycnc("time", "part.ngc", *set_them).out
 
 
 @pytest.mark.thorough

@@ -4,7 +4,7 @@
 import io
 
 import pytest
-from browser import SOFTWARE_GL
+from browser import NO_GL, SOFTWARE_GL
 from PIL import Image
 from test_page import browse, colours, now, write  # noqa: F401
 from test_report import PART
@@ -237,3 +237,21 @@ def test_paper_is_white_and_holds_path_curves_and_causes(browse, tmp_path):  # n
         visit.settle()
         seen = colours(visit)
         assert max(seen, key=seen.get) == (16, 22, 31)
+
+
+@pytest.mark.parametrize("power", range(-4, 4))
+def test_numbers_of_an_axis_are_told_apart(browse, tmp_path, power):  # noqa: F811
+    far = 10.0**power
+    text = f"G21 G90 G1 X{far:.6f} F{min(6000, 30 * far):.6f}\nX0\nM2\n"
+    free = {"axis.x.max_mm": "free", "axis.x.min_mm": "free"}
+    with browse(write(tmp_path, text, **free), *NO_GL) as visit:
+        for unit in ("mm/min", "mm/s"):
+            for across in ("time", "path"):
+                visit.page.click(f"#units [data-name='{unit}']")
+                visit.page.click(f"#across [data-name={across}]")
+                visit.settle()
+                shown = visit.ask("""report.curves.plots.map(({ plot }) => plot.axes.slice(0, 2)
+                    .map((axis) => axis._values ?? []))""")
+                for numbers in (each for axes in shown for each in axes):
+                    told = [number for number in numbers if number]
+                    assert len(set(told)) == len(told), (unit, across, told)
