@@ -119,8 +119,12 @@ def from_own_line(path, done, places, ticks):
     """Return how far ticks are from the nearest moves of the lines that they name."""
     s, line, home = done["s_mm"], done["line"], path._blocks_at(done["s_mm"])
     far, moves = np.full(len(ticks), np.inf), np.flatnonzero(path.length > 0)
-    for number in np.unique(line[ticks]):
-        own, mine = moves[path.line[moves] == number], np.flatnonzero(line[ticks] == number)
+    moves = moves[np.argsort(path.line[moves], kind="stable")]
+    order = np.argsort(line[ticks], kind="stable")
+    named, known = line[ticks][order], path.line[moves]
+    for number in np.unique(named):
+        own = moves[slice(*np.searchsorted(known, [number, number + 1]))]
+        mine = order[slice(*np.searchsorted(named, [number, number + 1]))]
         assert len(own), f"line {number} has no move, and ticks that move"
         here = ticks[mine]
         at = np.searchsorted(own, home[here])
