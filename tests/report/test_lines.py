@@ -19,6 +19,7 @@ SLOPES = ("jerk", "linear", "optimal")
 NEAR_MM = 0.1  # beside the tolerance
 ROUNDING_MM = 1e-6
 TICKS = 2  # that a line's time may be off: where it begins and ends is between two ticks
+REST_TICKS = 1  # a wait that begins or ends beside a line lasts till its next tick
 OVERLAP_TICKS = 10  # where a stop and the start behind it overlap: each half is one motion's
 
 
@@ -147,7 +148,7 @@ def hold(program):
     assert sum(p["time_s"] for p in plan.parts) == pytest.approx(plan.totals["total_s"], abs=1e-9)
     wrong = {n: abs(parts.get(n, 0) - told.get(n, 0)) for n in parts.keys() | told}
     slope = program.machine.settings.path.slope
-    ticks = OVERLAP_TICKS if slope == "jerk" else TICKS
+    ticks = OVERLAP_TICKS if slope == "jerk" else TICKS + REST_TICKS
     assert max(wrong.values()) <= (ticks + 1e-6) * period, max(wrong, key=wrong.get)
     path = Path(program.blocks, Limits.of(program.machine.record))
     places, home = places_of(done), path._blocks_at(done["s_mm"])
