@@ -112,7 +112,7 @@ def strip(visit):
 
 def make(names, folder=FIGURES):
     """Write the pictures of some names."""
-    sys.path[:0] = [str(ROOT / "tests" / "report")]
+    sys.path[:0] = [str(ROOT / "tests")]
     from browser import SOFTWARE_GL, opened, start
 
     with tempfile.TemporaryDirectory() as space, sync_playwright() as started:

@@ -19,6 +19,7 @@ SLOPES = ("jerk", "linear", "optimal")
 NEAR_MM = 0.1  # beside the tolerance
 ROUNDING_MM = 1e-6
 TICKS = 2  # that a line's time may be off: where it begins and ends is between two ticks
+REST_TICKS = 1  # a wait that begins or ends beside a line lasts till its next tick
 OVERLAP_TICKS = 10  # where a stop and the start behind it overlap: each half is one motion's
 
 
@@ -119,8 +120,12 @@ def from_own_line(path, done, places, ticks):
     """Return how far ticks are from the nearest moves of the lines that they name."""
     s, line, home = done["s_mm"], done["line"], path._blocks_at(done["s_mm"])
     far, moves = np.full(len(ticks), np.inf), np.flatnonzero(path.length > 0)
-    for number in np.unique(line[ticks]):
-        own, mine = moves[path.line[moves] == number], np.flatnonzero(line[ticks] == number)
+    moves = moves[np.argsort(path.line[moves], kind="stable")]
+    order = np.argsort(line[ticks], kind="stable")
+    named, known = line[ticks][order], path.line[moves]
+    for number in np.unique(named):
+        own = moves[slice(*np.searchsorted(known, [number, number + 1]))]
+        mine = order[slice(*np.searchsorted(named, [number, number + 1]))]
         assert len(own), f"line {number} has no move, and ticks that move"
         here = ticks[mine]
         at = np.searchsorted(own, home[here])
@@ -143,7 +148,7 @@ def hold(program):
     assert sum(p["time_s"] for p in plan.parts) == pytest.approx(plan.totals["total_s"], abs=1e-9)
     wrong = {n: abs(parts.get(n, 0) - told.get(n, 0)) for n in parts.keys() | told}
     slope = program.machine.settings.path.slope
-    ticks = OVERLAP_TICKS if slope == "jerk" else TICKS
+    ticks = OVERLAP_TICKS if slope == "jerk" else TICKS + REST_TICKS
     assert max(wrong.values()) <= (ticks + 1e-6) * period, max(wrong, key=wrong.get)
     path = Path(program.blocks, Limits.of(program.machine.record))
     places, home = places_of(done), path._blocks_at(done["s_mm"])
