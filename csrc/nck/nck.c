@@ -243,10 +243,11 @@ static uint32_t larger(uint32_t one, uint32_t other) { return one > other ? one 
 static void hear(nck_t *nck, uint32_t stopped) {
     nck_command_t *const heard = &nck->wire.heard;
     const nck_command_t before = *heard;
-    const uint32_t clock = nck_interpolate_clock(&nck->interpolate);
     nck_asked(nck, heard);
     heard->hold |= stopped;
-    if (!NCK_HAS_OPTIMAL || clock == NCK_CLOCK_RUNS || !nck_slope_is_clocked(&nck->slope)) return;
+    if (!NCK_HAS_OPTIMAL || !nck_slope_is_clocked(&nck->slope)) return;
+    const uint32_t clock = nck_interpolate_clock(&nck->interpolate);
+    if (clock == NCK_CLOCK_RUNS) return;
     heard->hold &= before.hold;
     if (clock == NCK_CLOCK_STANDS) return; // any plan may be set off along
     heard->single_block &= before.single_block;

@@ -4,7 +4,7 @@
 from decimal import Decimal
 from typing import Annotated, Literal, get_args
 
-from pydantic import BeforeValidator, Field
+from pydantic import BeforeValidator, Field, model_validator
 
 from pycnc.machine.quantity import Acceleration, Error, Number, Speed, Table, number
 
@@ -39,7 +39,15 @@ class ByAxis(Table):
 
 
 class Control(Table):
-    """Whose planner the time is told of, with that control's own settings and defaults."""
+    """Whose planner the time is told of, with that control's own settings and defaults.
+
+    A kind alone stands for a table of it: ``control = "grbl"``.
+    """
+
+    @model_validator(mode="before")
+    @classmethod
+    def _of_kind(cls, said):
+        return {"kind": said} if isinstance(said, str) else said
 
     kind: Kind = Field(
         "nck",

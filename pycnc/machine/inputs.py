@@ -100,16 +100,9 @@ def contradictions(inputs, axes):
     if inputs is None:
         return
     letters = inputs.present()
-    for letter, switch in letters.items():
-        if letter not in axes:
-            yield f"inputs.{letter}", f"the machine has no {letter.upper()} axis"
-            continue
-        yield from _axis_contradictions(letter, switch, axes[letter])
+    yield from _switch_contradictions(letters, axes)
     if inputs.plate_mm is not None and "z" not in axes:
         yield "inputs.plate_mm", "the machine has no Z axis"
-    pairs = [at for at, switch in letters.items() if switch.second is not None]
-    if len(pairs) > 1:
-        yield f"inputs.{pairs[1]}.second", f"{pairs[0].upper()} has two motors, and one axis can"
     bad = [at for at in inputs.order if at not in letters or inputs.order.count(at) > 1]
     if bad:
         yield "inputs.order", (f"must be letters of axes with an [inputs] table, each once "
@@ -118,6 +111,17 @@ def contradictions(inputs, axes):
         yield "inputs.order", f"{_ORDER_MOST} axes at most"
     elif inputs.homing:
         yield from _homing_contradictions(inputs, axes)
+
+
+def _switch_contradictions(letters, axes):
+    for letter, switch in letters.items():
+        if letter not in axes:
+            yield f"inputs.{letter}", f"the machine has no {letter.upper()} axis"
+            continue
+        yield from _axis_contradictions(letter, switch, axes[letter])
+    pairs = [at for at, switch in letters.items() if switch.second is not None]
+    if len(pairs) > 1:
+        yield f"inputs.{pairs[1]}.second", f"{pairs[0].upper()} has two motors, and one axis can"
 
 
 def _axis_contradictions(letter, switch, axis):
@@ -148,14 +152,27 @@ def _nm(value):
     return int(value * _NM)
 
 
+def _bits(letters):
+    return sum(1 << AXES.index(at) for at in letters)
+
+
+def _places(letters, axes):
+    """Return where the home switches and those at the far ends are, in nm by axis; 0: none."""
+    place, far = [0] * len(AXES), [0] * len(AXES)
+    for at, switch in letters.items():
+        end = _travel(axes[at])[switch.end == "most"]
+        place[AXES.index(at)] = _nm(end if switch.at is None else switch.at)
+        far[AXES.index(at)] = _nm(switch.far or 0)
+    return place, far
+
+
 def switches_of(settings):
     """Return what ``Session.connect`` and ``Session.push`` take; None without [inputs]."""
     inputs = settings.inputs
     if inputs is None:
         return None
     axes, letters = settings.axis.present(), inputs.present()
-    bits = {at: 1 << AXES.index(at) for at in letters}
-    least = sum(bits[at] for at, switch in letters.items() if switch.end == "least")
+    least = _bits(at for at, switch in letters.items() if switch.end == "least")
     period = settings.kernel.period_ms
     pair = next((at for at, switch in letters.items() if switch.second is not None), None)
     order = sum(AXES.index(at) + 1 << 4 * k for k, at in enumerate(inputs.homed()))
@@ -166,16 +183,12 @@ def switches_of(settings):
         "debounce": round(inputs.debounce_ms / period),
         "pair": AXES.index(pair) + 1 if pair else 0, "skew": float(inputs.skew_mm),
     }  # fmt: skip
-    place, far = [0] * len(AXES), [0] * len(AXES)
-    for at, switch in letters.items():
-        end = _travel(axes[at])[switch.end == "most"]
-        place[AXES.index(at)] = _nm(end if switch.at is None else switch.at)
-        far[AXES.index(at)] = _nm(switch.far or 0)
+    place, far = _places(letters, axes)
     pushed = {"door": inputs.door == "open", "emergency": inputs.emergency == "pushed"}
     wires = {
-        "wired": sum(bits.values()), "least": least, "place_nm": place,
-        "homes_only": sum(bits[at] for at, switch in letters.items() if not switch.limit),
-        "far": sum(bits[at] for at, switch in letters.items() if switch.far is not None),
+        "wired": _bits(letters), "least": least, "place_nm": place,
+        "homes_only": _bits(at for at, switch in letters.items() if not switch.limit),
+        "far": _bits(at for at, switch in letters.items() if switch.far is not None),
         "far_nm": far, "bounce": round(inputs.bounce_ms / period),
     }  # fmt: skip
     if pair:

@@ -482,13 +482,16 @@ def _position_contradictions(name, position, axes, travel):
             if value != 0:
                 yield key, f"the machine has no {letter.upper()} axis"
             continue
-        if not travel:
-            continue
-        low, high = (getattr(axes[letter], f"{end}_{unit_of(letter)}") for end in ("min", "max"))
-        if low is not None and high is not None and low >= high:
-            continue  # told as the axis' own
-        if (low is not None and value < low) or (high is not None and value > high):
-            yield key, f"must be within the travel {_bound(low)} … {_bound(high)} (is {value})"
+        if travel:
+            yield from _travel_contradictions(key, value, axes[letter], unit_of(letter))
+
+
+def _travel_contradictions(key, value, axis, unit):
+    low, high = (getattr(axis, f"{end}_{unit}") for end in ("min", "max"))
+    if low is not None and high is not None and low >= high:
+        return  # told as the axis' own
+    if (low is not None and value < low) or (high is not None and value > high):
+        yield key, f"must be within the travel {_bound(low)} … {_bound(high)} (is {value})"
 
 
 def _bound(value):

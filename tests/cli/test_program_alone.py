@@ -31,7 +31,7 @@ def test_a_program_alone_is_checked_timed_and_shown(words, good):
     assert (result.code, result.err) == (0, "")
     first, second, *_, last = result.out.splitlines()
     assert first.startswith(f"{good} on {'mill4' if options else 'mill3'}, slope optimal: ")
-    assert second.startswith(f"{good}: ")
+    assert second.startswith("  ideal time ")
     assert last == str(page)
     assert page.read_text(encoding="utf-8").startswith("<!doctype html>")
     told = json.loads(pycnc(*verb, good, *options, "--json").out)

@@ -37,11 +37,8 @@ def test_calls_at_rest_bring_what_linuxcncs_own_planner_makes_of_them(stand_in, 
     assert linuxcnc_calls.calls_failures(stand_in, seed) == []
 
 
-BEYOND = [128, 2520, 2655]  # see below
-
-
 @pytest.mark.sample(20)
-@pytest.mark.parametrize("seed", [seed for seed in range(500) if seed not in BEYOND])
+@pytest.mark.parametrize("seed", [*range(500), 2520, 2655])
 def test_an_operator_on_the_move_breaks_no_limit_and_leaves_nothing_standing(stand_in, seed):
     assert linuxcnc_calls.stops_failures(stand_in, seed) == []
 
@@ -118,13 +115,6 @@ def test_a_brake_that_meets_a_bend_keeps_the_jerk(stand_in):
 
 def most_jerk_of_stops(stand_in, seed):
     return stand_in.run(linuxcnc_calls.stops(seed)).peaks()[2]
-
-
-# A brake of the tick along a line that is met by its plan: a fifth too much for three cycles. 3 of
-# 3200 scripts; all else is within BY_TICK.
-@pytest.mark.parametrize("seed", BEYOND)
-def test_a_brake_that_is_met_on_a_line_has_a_fifth_too_much(stand_in, seed):
-    assert 1.15 < most_jerk_of_stops(stand_in, seed) < 1.25
 
 
 # A brake that ends with less jerk than the plan's, for the sake of a seg that it does not get to:

@@ -5,6 +5,8 @@ wants behind that: some of the seeds of tests/new_limits.py, other ones for each
 import new_limits
 import pytest
 
+from pycnc.kernel import lib
+
 SEEDS = 20_000
 # Of the cases so many may pass a limit, for a period, where the tick sets off again and a new plan
 # comes: 3 of 1500 did, by a quarter at most.
@@ -41,3 +43,15 @@ def test_a_clock_that_sets_off_never_overtakes_the_plan(seed):
 @pytest.mark.parametrize("seed", [5367, 5485, 5537, 5635])
 def test_a_brake_keeps_the_limits_of_what_it_brakes(seed):
     assert not new_limits.try_seed(seed, "jerk").is_beyond()
+
+
+# The link took every other seg of a clocked path for a jump: it has a coordinate of its own.
+@pytest.mark.sample(4)
+@pytest.mark.parametrize("seed", range(2000, 2040))
+def test_the_link_of_a_clocked_path_keeps_what_it_promises(seed):
+    case = new_limits.draw(seed, "optimal")[0]
+    live = new_limits.Live(case.machine())
+    live.push(case.text)
+    for _ in range(400):
+        live.tick()
+        assert lib.nck_invariants(live.nck) == 0

@@ -96,12 +96,8 @@ static nck_status_t make_clock(nck_stream_t *self) {
     return go(self, NCK_STREAM_REFERENCE);
 }
 
-// 1 if the curve that comes of this clock is to be given. Half of a short window is, and that half
-// has had the rounds of the window before.
-static int is_last_round(const nck_stream_t *self) {
-    const int halves = NCK_FAIR_WINDOW <= 2 * FURTHER && !self->clock.begins;
-    return (halves ? 2 : 1) * (self->round + 1) >= self->wish.rounds;
-}
+// 1 if the curve that comes of this clock is to be given.
+static int is_last_round(const nck_stream_t *self) { return self->round + 1 >= self->wish.rounds; }
 
 // 1 if an axis moves in the window: what stands needs no curve.
 static int is_moving(const nck_stream_t *self, int x) {

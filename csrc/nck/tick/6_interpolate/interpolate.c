@@ -3,6 +3,7 @@
 #include "nck/tick/6_interpolate/interpolate.h"
 
 #include <assert.h> // assert
+#include <stddef.h> // offsetof
 #include <string.h> // memset
 
 #include "nck/base/cell_math.h" // nck_cell_way
@@ -146,7 +147,8 @@ static void leave_cell(nck_interpolate_t *self) {
 static void begin_to_count(nck_interpolate_t *self) {
     self->k = 0;
     self->t_cell = 0.0;
-    memset(&self->clock, 0, sizeof self->clock);
+    nck_fence_store(&self->clock.state, NCK_CLOCK_RUNS); // prep reads it
+    memset(&self->clock.feels, 0, sizeof self->clock - offsetof(nck_clock_t, feels));
 }
 
 // The path's time: that of the periods, less what the clock is late.
