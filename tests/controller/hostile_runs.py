@@ -107,10 +107,12 @@ class Storm:
 
     def stay(self):
         """Soft limits hold at every place, until they are set off or homing knows better."""
-        if not self.roams:
-            for at in self.session.joints_nm:
-                if not TRAVEL_NM[0] <= at <= TRAVEL_NM[1]:
-                    raise Broken(f"out of the travel: {self.session.joints_nm}")
+        if not self.roams and self.is_out():
+            raise Broken(f"out of the travel: {self.session.joints_nm}")
+
+    def is_out(self):
+        least, most = TRAVEL_NM
+        return not all(least <= at <= most for at in self.session.joints_nm)
 
     def hear(self, said):
         if re.fullmatch(r"ok|error:\d+", said):
@@ -195,9 +197,11 @@ class Storm:
 
     def reset(self):
         """Reset: a banner comes, and answers no more than were due."""
-        before = self.banners
+        before, roams = self.banners, self.roams
+        self.roams = True  # a switch that its brake meets stops where it can, and tells no alarm
         self.send(RESET)
         self.wait_for(lambda: self.banners > before, "no banner behind a reset")
+        self.roams = roams or self.is_out()
         self.sent = self.answers
 
     def cable(self):
