@@ -6,7 +6,7 @@
 
 #include <string.h> // memset
 
-#include "nck/base/real.h" // nck_floor
+#include "nck/base/real.h" // nck_floor nck_larger
 
 enum {
     PPM = 1000000, FEED_MOST = 2, // overrides
@@ -236,8 +236,6 @@ static inline int lacks_pieces(nck_t *nck) {
     return nck_slope_lacks(&nck->slope, &pieces);
 }
 
-static uint32_t larger(uint32_t one, uint32_t other) { return one > other ? one : other; }
-
 // What the operator asks for. While the tick goes along a clocked path by its own clock, it counts
 // on the plan that it has and rests by itself: the slope hears later of what makes a plan slower.
 static void hear(nck_t *nck, uint32_t stopped) {
@@ -251,9 +249,9 @@ static void hear(nck_t *nck, uint32_t stopped) {
     heard->hold &= before.hold;
     if (clock == NCK_CLOCK_STANDS) return; // any plan may be set off along
     heard->single_block &= before.single_block;
-    heard->feed_ppm = larger(heard->feed_ppm, before.feed_ppm);
-    heard->rapid_ppm = larger(heard->rapid_ppm, before.rapid_ppm);
-    heard->speed_um_s = larger(heard->speed_um_s, before.speed_um_s);
+    heard->feed_ppm = nck_larger(heard->feed_ppm, before.feed_ppm);
+    heard->rapid_ppm = nck_larger(heard->rapid_ppm, before.rapid_ppm);
+    heard->speed_um_s = nck_larger(heard->speed_um_s, before.speed_um_s);
 }
 
 // lookahead ─▶ slope ─▶ plans and final cells.

@@ -7,6 +7,7 @@ import random
 import numpy as np
 import pytest
 import rs274_oracle
+from polylines import distance
 
 import pycnc
 from pycnc import stages
@@ -50,17 +51,6 @@ def curve(points, weights, order):
     n = len(points) - 1
     knots = [max(0, min(i - order + 1, n - order + 2)) for i in range(n + order + 1)]
     return curve_of(points, weights, knots, order, 700 * (n - order + 2))
-
-
-def distance(points, path):
-    """Return the largest distance of points from a polyline, in the plane or in space."""
-    a, d = path[:-1], np.diff(path, axis=0)
-    length = np.maximum((d**2).sum(axis=1), 1e-30)
-    far = 0.0
-    for point in points:
-        share = np.clip(((point - a) * d).sum(axis=1) / length, 0, 1)
-        far = max(far, np.linalg.norm(a + share[:, None] * d - point, axis=1).min())
-    return far
 
 
 def check(blocks, points, weights, order):

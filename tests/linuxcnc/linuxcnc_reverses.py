@@ -10,6 +10,7 @@ import random
 import numpy as np
 from linuxcnc_held import held, words_of
 from linuxcnc_stand_in import EVER
+from polylines import distance
 
 REST = f"rest {EVER}"
 
@@ -84,17 +85,6 @@ class Reverses:
         return [f"arc 50 {words_of(*self.path[-1])} 0 0 0 0 0 0 {centre_axis}"]
 
 
-def away_from(path, places):
-    """Return how far the farthest place is from a polyline."""
-    begin, way = path[:-1], np.diff(path, axis=0)
-    size = np.maximum((way**2).sum(axis=1), 1e-18)
-    farthest = 0.0
-    for place in places:
-        share = np.clip(((place - begin) * way).sum(axis=1) / size, 0, 1)
-        farthest = max(farthest, ((begin + share[:, None] * way - place) ** 2).sum(axis=1).min())
-    return farthest**0.5
-
-
 def reverses_failures(stand_in, seed):
     """Return what is wrong with a program that is run to and fro, in words."""
     program = Reverses(seed)
@@ -106,7 +96,7 @@ def reverses_failures(stand_in, seed):
     path = np.array(program.path)
     if np.abs(run.places[-1] - path[-1]).max() > 2e-6:
         wrong.append(f"it ends at {run.places[-1]} in place of {path[-1]}")
-    away = away_from(path, run.places[::9])
+    away = distance(run.places[::9], path)
     if away > max(program.p, 2e-3) + 2e-4:
         wrong.append(f"off its way by {away:.4f}")
     said = len(run.told("dout") + run.told("aout"))

@@ -37,7 +37,7 @@ typedef long nck_int64;
 #define NCK_NUM_ABS(x) fabs(x)
 #else
 #include <math.h>   // sqrt fabs floor: exact in IEEE 754, no other function of libm is used
-#include <stdint.h> // int64_t
+#include <stdint.h> // int64_t uint32_t
 
 #include "nck/base/trig.h" // nck_sincos nck_atan2
 
@@ -54,6 +54,11 @@ typedef int64_t nck_int64;
     (sizeof(nck_num) == 4 ? (nck_num)sqrtf((float)(x)) : (nck_num)sqrt((double)(x)))
 #define NCK_NUM_ABS(x) \
     (sizeof(nck_num) == 4 ? (nck_num)fabsf((float)(x)) : (nck_num)fabs((double)(x)))
+
+// The larger one of two counts.
+static inline uint32_t nck_larger(uint32_t one, uint32_t other) {
+    return one > other ? one : other;
+}
 #endif
 
 // A literal of the solvers' type.

@@ -6,7 +6,7 @@
 #include <string.h> // memset
 
 #include "nck/base/fence.h"               // nck_fence_load nck_fence_store
-#include "nck/base/real.h"                // nck_max nck_min
+#include "nck/base/real.h"                // nck_larger nck_max nck_min
 #include "nck/prep/5_slope/overlap.h"     // nck_overlap_…
 #include "nck/prep/5_slope/planner.h"     // nck_planner_…
 
@@ -182,8 +182,6 @@ static uint32_t cell_after(const nck_slope_t *self, uint32_t first, double time,
     return i;
 }
 
-static uint32_t larger(uint32_t one, uint32_t other) { return one > other ? one : other; }
-
 // Where a plan begun now takes over: as long on as the last one took, twice, because it may be made
 // twice. A hold's is short. What was put off gets more.
 static uint32_t takeover(nck_slope_t *self) {
@@ -192,7 +190,7 @@ static uint32_t takeover(nck_slope_t *self) {
     const double twice_s = self->wish.hold ? 0.0 : 2.0 * self->spent_s;
     const double time = nck_max(nck_max(least_s, twice_s), self->answer.reserve_s);
     const uint32_t first = cell_after(self, final_count(self), time, self->now.n);
-    return nck_planner_seam(self, larger(first, self->now.beside));
+    return nck_planner_seam(self, nck_larger(first, self->now.beside));
 }
 
 // Cells that the tick has taken since the plan in work was begun.
