@@ -90,10 +90,11 @@ class Draft:
             keys = [key for key in self.values if key.rpartition(".")[0] == table]
             keys.sort(key=_rank)
             lines += [_line(key.rpartition(".")[2], *self.values[key]) for key in keys]
-        if self.left:
-            lines += ["", "# Without an equal here:", *(f"#   {words}" for words in self.left)]
-        if self.rest:
-            lines += ["", "# Not about the motion of axes:", *(f"#   {row}" for row in self.rest)]
+        for title, rows in (
+            ("Without an equal here", self.left), ("Not about the motion of axes", self.rest),
+        ):  # fmt: skip
+            if rows:
+                lines += ["", f"# {title}:", *(f"#   {row}" for row in rows)]
         return "\n".join([*lines, ""])
 
 

@@ -129,16 +129,21 @@ def _is_good(name, to):
     return to >= 0 if name == b"SQUARE_CORNER_VELOCITY" else to > 0
 
 
+def _accelerations(said):
+    """Yield what M204 changes: S is of printing moves and travel."""
+    for letters, value in (
+        ("SP", lib.NCK_CONTROL_A_PATH), ("ST", lib.NCK_CONTROL_A_TRAVEL),
+        ("R", lib.NCK_CONTROL_A_RETRACT),
+    ):  # fmt: skip
+        yield from ((value, said[letter]) for letter in letters if said.get(letter, 0) > 0)
+
+
 def _of_marlin(code, words):
     if code is None:
         return
     said = {letter.decode(): float(to) for letter, to in _WORD.findall(words) if float(to) >= 0}
     if code == b"204":
-        for letters, value in (
-            ("SP", lib.NCK_CONTROL_A_PATH), ("ST", lib.NCK_CONTROL_A_TRAVEL),
-            ("R", lib.NCK_CONTROL_A_RETRACT),
-        ):  # fmt: skip
-            yield from ((value, said[letter]) for letter in letters if said.get(letter, 0) > 0)
+        yield from _accelerations(said)
         return
     for letter, to in said.items():
         if letter in "XYZABCE":

@@ -65,6 +65,12 @@ def changes(words, machine):
     return {"work.zero": "told"} | _zeros(machine, said)
 
 
+def _narrow(needs, ends):
+    """Return the axes whose travel is less than what a program needs."""
+    return [letter for letter, (low, high) in needs.items()
+            if high - low > ends[letter][1] - ends[letter][0]]  # fmt: skip
+
+
 def place(text, machine):
     """Return a machine with a zero from which a program fits its travel, as `Placed`."""
     settings = machine.settings
@@ -76,9 +82,7 @@ def place(text, machine):
         return Placed(_laid(machine, begin))
     low, high = _reach(text, machine, free)
     needs = {letter: _need(low, high, letter) for letter in ends}
-    narrow = [letter for letter, (down, up) in needs.items()
-              if up - down > ends[letter][1] - ends[letter][0]]  # fmt: skip
-    if narrow:
+    if narrow := _narrow(needs, ends):
         return _too_large(_laid(machine, begin, free), needs, ends, narrow)
     begin |= {letter: _between(needs[letter], ends[letter], begin[letter]) for letter in ends}
     size = f"needs {_size(needs)}: fits into {_size(ends)}"
