@@ -6,7 +6,7 @@
 #include <string.h> // memcpy memset
 
 #include "nck/base/link_invariants.h" // nck_link_invariants
-#include "nck/base/real.h"            // nck_floor
+#include "nck/base/real.h"            // nck_rounded
 
 // ---- memory
 
@@ -284,7 +284,7 @@ nck_status_t nck_probed(nck_t *nck, const nck_halt_t *halt) {
     int64_t at_nm[NCK_AXIS_MAX];
     if (!nck->decode.session.before || !nck_decode_is_empty(&nck->decode)) return NCK_E_STATE;
     for (int x = 0; halt && x < NCK_AXIS_MAX; x++) {
-        at_nm[x] = (int64_t)nck_floor(halt->at[x] * nck_machine_counts(&nck->machine, x) + 0.5);
+        at_nm[x] = nck_rounded(halt->at[x] * nck_machine_counts(&nck->machine, x));
     }
     return nck_decode_probed(&nck->decode, halt ? at_nm : NULL);
 }

@@ -6,7 +6,7 @@
 
 #include <string.h> // memset
 
-#include "nck/base/real.h" // nck_floor nck_larger
+#include "nck/base/real.h" // nck_larger nck_rounded
 
 enum {
     PPM = 1000000, FEED_MOST = 2, // overrides
@@ -296,7 +296,7 @@ static void begin_anew(nck_t *nck) {
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const double counts = nck_machine_counts(&nck->machine, x);
         const double place = nck->interpolate.pose.axis[x] * counts;
-        nck->machine.start_nm[x] = (int64_t)nck_floor(place + 0.5);
+        nck->machine.start_nm[x] = nck_rounded(place);
     }
     nck_decode_stand(&nck->decode);
     nck_toolcomp_init(&nck->toolcomp, &nck->machine);

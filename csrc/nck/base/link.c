@@ -132,18 +132,14 @@ nck_status_t nck_link_publish(nck_link_t *self) {
     return NCK_OK;
 }
 
-// What rides takes no time of its own.
-static double time_of(const nck_cell_t *cell) {
-    return cell->stop & NCK_STOP_RIDES ? 0.0 : cell->duration;
-}
-
 // The time of cells that the tick has taken no longer counts. When all are taken nothing is left of
 // it, neither by rounding nor of an exchange that failed: the tick was in the tail then. Cells go
 // only to places that were free before: what stood there is counted.
 static double lead_of(nck_link_t *self) {
     const uint32_t taken = nck_fence_load(&self->taken);
     while (self->lead_seen != taken) {
-        self->lead_s -= time_of(&self->cell[self->lead_seen & (NCK_CELL_MAX - 1)]);
+        const nck_cell_t *const cell = &self->cell[self->lead_seen & (NCK_CELL_MAX - 1)];
+        if (!(cell->stop & NCK_STOP_RIDES)) self->lead_s -= cell->duration; // what rides takes none
         self->lead_seen = (self->lead_seen + 1) & END_MASK;
     }
     if (taken == end_of(nck_fence_load(&self->word))) self->lead_s = 0.0;

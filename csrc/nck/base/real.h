@@ -55,6 +55,12 @@ typedef int64_t nck_int64;
 #define NCK_NUM_ABS(x) \
     (sizeof(nck_num) == 4 ? (nck_num)fabsf((float)(x)) : (nck_num)fabs((double)(x)))
 
+// The whole number next to x, of two the larger one.
+static inline int64_t nck_rounded(double x) { return (int64_t)nck_floor(x + 0.5); }
+
+// Millimetres in nanometres.
+static inline int64_t nck_nm_of(double mm) { return nck_rounded(mm * 1e6); }
+
 // The larger one of two counts.
 static inline uint32_t nck_larger(uint32_t one, uint32_t other) {
     return one > other ? one : other;

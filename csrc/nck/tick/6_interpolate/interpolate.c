@@ -138,11 +138,6 @@ static void pass(nck_interpolate_t *self, double s, double v) {
     place(self, seg_at(self, filter->seg), s_mean, v_mean);
 }
 
-static void leave_cell(nck_interpolate_t *self) {
-    self->t_cell += self->cell.duration;
-    nck_fence_store(&self->has_cell, 0);
-}
-
 // The tool rests: time counts from here.
 static void begin_to_count(nck_interpolate_t *self) {
     self->k = 0;
@@ -166,7 +161,8 @@ static void land(nck_interpolate_t *self) {
     const int waits = seg->kind == NCK_SEG_WAIT;
     nck_fence_store(&self->waits, (uint32_t)waits);
     nck_fence_store(&self->resume, 0);
-    leave_cell(self);
+    self->t_cell += self->cell.duration;
+    nck_fence_store(&self->has_cell, 0);
     nck_link_seg_finish(self->link, cell->last && !waits ? seq + 1 : seq);
     if (self->from_tail) nck_link_tail_rest(self->link);
     self->rests = 1;

@@ -11,7 +11,7 @@
 #include "nck/prep/1_decode/place/place.h" // nck_decode_target
 #include "nck/prep/1_decode/macro/macro.h" // nck_decode_moved
 #include "nck/prep/1_decode/motion/motion.h" // nck_decode_give_exact nck_decode_lead …
-#include "nck/base/real.h" // nck_fabs nck_min nck_max nck_floor
+#include "nck/base/real.h" // nck_fabs nck_min nck_max nck_nm_of
 #include "nck/base/trig_math.h" // NCK_PI
 #include "nck/base/trig.h" // nck_sincos
 
@@ -153,12 +153,6 @@ static nck_status_t read_single(nck_decode_t *self) {
     return nck_decode_start_angle(self, &screw->turn);
 }
 
-// The root of a thread is said: its crest lies the whole depth before it.
-static void place_crest(nck_screw_t *screw) {
-    go_in(screw, (double)(screw->end_nm[0] - screw->start_nm[0]));
-    screw->end_nm[0] -= (int64_t)nck_floor(screw->in * screw->full * NM + 0.5);
-}
-
 // The second of two G76 lines: R taper, P depth, Q first cut, F lead.
 static nck_status_t read_second_line(nck_decode_t *self) {
     nck_screw_t *const screw = &self->held.screw;
@@ -213,8 +207,10 @@ static nck_status_t read_fanuc(nck_decode_t *self) {
     if (single) status = read_single(self);
     else if (has(self, 'K')) status = read_one_line(self);
     else status = read_second_line(self);
-    if (status == NCK_OK) place_crest(screw);
-    return status;
+    if (status != NCK_OK) return status;
+    go_in(screw, (double)(screw->end_nm[0] - screw->start_nm[0]));
+    screw->end_nm[0] -= nck_nm_of(screw->in * screw->full); // to the crest: said is the root
+    return NCK_OK;
 }
 
 // E, the way along Z over which the tool goes in (L1, L3) and out (L2, L3).
@@ -261,7 +257,7 @@ static nck_status_t read_rs274(nck_decode_t *self) {
     if (status == NCK_OK && !(nck_fabs(drive) <= most)) status = fail_range(self, 'I', most);
     if (status != NCK_OK) return status;
     go_in(screw, drive);
-    screw->end_nm[0] = screw->start_nm[0] + (int64_t)nck_floor(drive * NM + 0.5);
+    screw->end_nm[0] = screw->start_nm[0] + nck_nm_of(drive);
     screw->taper = 0.0;
     screw->rough = screw->full;
     screw->left = (uint32_t)springs;
@@ -337,8 +333,6 @@ static nck_status_t begin(nck_decode_t *self) {
 
 // ---- a pass
 
-static int64_t nm(double mm) { return (int64_t)nck_floor(mm * NM + 0.5); }
-
 // Which way Z goes.
 static double forward(const nck_screw_t *screw) {
     return screw->end_nm[1] < screw->start_nm[1] ? -1.0 : 1.0;
@@ -357,7 +351,7 @@ static nck_status_t rapid_to(nck_decode_t *self, unsigned axis, int64_t place_nm
 // X of the pass where it begins and ends, at its depth.
 static int64_t cut_x(const nck_screw_t *screw, int at_begin) {
     const double beside = screw->in * screw->depth + (at_begin ? screw->taper : 0.0);
-    return screw->end_nm[0] + nm(beside);
+    return screw->end_nm[0] + nck_nm_of(beside);
 }
 
 // The pass. A taper at its begin: it goes in from the crest; at its end: out to where X began.
@@ -370,7 +364,7 @@ static nck_status_t cut(nck_decode_t *self, nck_block_t *out) {
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
         end_nm[axis] = self->place.position_nm[axis];
     }
-    end_nm[NCK_AXIS_Z] = screw->end_nm[1] - nm(forward(screw) * back);
+    end_nm[NCK_AXIS_Z] = screw->end_nm[1] - nck_nm_of(forward(screw) * back);
     end_nm[NCK_AXIS_X] = screw->exit > 0.0 ? screw->start_nm[0] : x_nm;
     thread.lead = screw->lead;
     thread.turn = screw->turn;
@@ -403,11 +397,11 @@ static nck_status_t do_phase(nck_decode_t *self, nck_block_t *out) {
     switch (screw->phase) {
     case PHASE_ALONG:
         screw->phase = PHASE_IN;
-        return rapid_to(self, NCK_AXIS_Z, screw->start_nm[1] + nm(ahead), out);
+        return rapid_to(self, NCK_AXIS_Z, screw->start_nm[1] + nck_nm_of(ahead), out);
     case PHASE_IN:
         screw->phase = PHASE_CUT;
         return rapid_to(self, NCK_AXIS_X,
-                        screw->entry > 0.0 ? screw->end_nm[0] + nm(screw->taper)
+                        screw->entry > 0.0 ? screw->end_nm[0] + nck_nm_of(screw->taper)
                                            : cut_x(screw, 1),
                         out);
     case PHASE_CUT: screw->phase = PHASE_OUT; return cut(self, out);

@@ -8,7 +8,7 @@
 #include "nck/prep/1_decode/place/place.h" // nck_decode_set_tool
 #include "nck/prep/1_decode/motion/motion.h" // nck_decode_go
 #include "nck/base/budget.h" // NCK_TOLERANCE_MIN
-#include "nck/base/real.h" // nck_fabs nck_floor
+#include "nck/base/real.h" // nck_fabs nck_floor nck_rounded
 
 #include <string.h> // memcpy
 
@@ -133,7 +133,7 @@ static nck_status_t read_target(nck_decode_t *self, const nck_block_in_t *block,
         if (nck_fabs(target) > limit || nck_fabs(origin + target) > limit) {
             return nck_decode_fail(self, NCK_E_NUMBER_RANGE, 0, letter, target, limit);
         }
-        target_nm[axis] = self->place.origin_nm[axis] + (int64_t)nck_floor(target * counts + 0.5);
+        target_nm[axis] = self->place.origin_nm[axis] + nck_rounded(target * counts);
     }
     return NCK_OK;
 }

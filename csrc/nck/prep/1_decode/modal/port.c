@@ -14,11 +14,9 @@ static int has(const nck_decode_t *self, char letter) {
     return (self->words.letters & NCK_LETTER(letter)) != 0;
 }
 
-static double code_of(const nck_decode_t *self) { return self->words.code[NCK_STEP_PORT] / 10.0; }
-
 static nck_status_t fail_missing(nck_decode_t *self, char letter) {
-    return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_PORT, letter, code_of(self),
-                                0.0);
+    return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_PORT, letter,
+                                self->words.code[NCK_STEP_PORT] / 10.0, 0.0);
 }
 
 static nck_status_t read_port(nck_decode_t *self, char letter, uint32_t *port_out) {

@@ -5,6 +5,7 @@
 #include "nck/prep/1_decode/number/number.h" // nck_decode_as_word nck_decode_counts …
 #include "nck/prep/1_decode/place/place.h" // nck_layout_way nck_plane_axes
 #include "nck/base/arc_math.h" // nck_arc_sweep …
+#include "nck/base/real.h" // nck_nm_of nck_rounded …
 
 #include <stddef.h> // NULL
 #include <string.h> // memcpy memset
@@ -81,7 +82,7 @@ static nck_status_t check_bulge(nck_decode_t *self, const course_t *course, cons
         const double way[2] = {k % 2 == 0 ? sign : 0.0, k % 2 == 0 ? 0.0 : sign};
         if (b != NULL && !nck_arc_passes(a, b, way)) continue;
         const double far_nm = centre_nm[k % 2] + sign * radius_nm;
-        const nck_status_t status = nck_decode_travel(self, axis, (int64_t)nck_floor(far_nm + 0.5));
+        const nck_status_t status = nck_decode_travel(self, axis, nck_rounded(far_nm));
         if (status != NCK_OK) return status;
     }
     return NCK_OK;
@@ -233,7 +234,7 @@ static nck_status_t arc_in_two(nck_decode_t *self, course_t *course, const int64
         double ahead_nm = (double)(target_nm[axis] - from_nm[axis]) * share;
         if (axis == course->u) ahead_nm = first.d[0] * 1e6;
         if (axis == course->v) ahead_nm = first.d[1] * 1e6;
-        middle_nm[axis] = from_nm[axis] + (int64_t)nck_floor(ahead_nm + 0.5);
+        middle_nm[axis] = from_nm[axis] + nck_rounded(ahead_nm);
     }
     first.more = 0.0;
     first.d[0] = mm(middle_nm[course->u] - from_nm[course->u]);
@@ -279,7 +280,7 @@ static void take_centre(const nck_decode_t *self, const nck_block_in_t *pushed, 
     const double turns = nck_fabs((double)pushed->turns);
     for (unsigned k = 0; k < 2; k++) {
         const int64_t origin_nm = self->place.origin_nm[axes[k]];
-        const int64_t centre_nm = (int64_t)nck_floor(pushed->centre[k] * 1e6 + 0.5);
+        const int64_t centre_nm = nck_nm_of(pushed->centre[k]);
         course->c[k] = mm(origin_nm + centre_nm - self->place.position_nm[axes[k]]);
     }
     course->more = (turns - 1.0) * 2.0 * NCK_PI;

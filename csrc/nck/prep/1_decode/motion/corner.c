@@ -8,7 +8,7 @@
 #include "nck/prep/1_decode/number/number.h" // nck_decode_as_word nck_decode_counts_of …
 #include "nck/prep/1_decode/place/place.h" // nck_layout_way
 #include "nck/base/arc_math.h" // nck_arc_norm
-#include "nck/base/real.h" // nck_fabs nck_floor
+#include "nck/base/real.h" // nck_fabs nck_nm_of
 
 #include <string.h> // memcpy
 
@@ -148,8 +148,6 @@ static int is_sign_good(const nck_corner_t *corner, const nck_edge_t *edges) {
     return lines && square && axis && corner->size * way[along] > 0.0;
 }
 
-static int64_t nm_of(double place) { return (int64_t)nck_floor(place * 1e6 + 0.5); }
-
 // An arc from one place to another: its own circle passes through both.
 static void bend(nck_block_t *block, const int64_t *from_nm) {
     unsigned axes[2];
@@ -210,7 +208,7 @@ static nck_status_t join(nck_decode_t *self, nck_block_t *out) {
     for (unsigned k = 0; k < 2; k++) {
         memcpy(place_nm[k], corner_nm, sizeof corner_nm);
         for (unsigned axis = 0; axis < 2; axis++) {
-            place_nm[k][axes[axis]] += nm_of(cut.touch[k][axis]);
+            place_nm[k][axes[axis]] += nck_nm_of(cut.touch[k][axis]);
         }
     }
     for (unsigned k = 0; k < 2; k++) {

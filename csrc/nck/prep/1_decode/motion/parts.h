@@ -19,6 +19,12 @@ nck_status_t nck_decode_arc(nck_decode_t *self, const nck_block_in_t *pushed,
 nck_status_t nck_decode_straight(nck_decode_t *self, nck_block_kind_t kind,
                                  const int64_t *target_nm, nck_block_t *out);
 
+// ---- thread.c
+
+// NCK_E_THREAD_RUN_IN: a pass of no length, or a hole of no depth, at the speed v [mm/s]; letter:
+// the word that says so. Cost: constant.
+nck_status_t nck_thread_fail_empty(nck_decode_t *self, double v, char letter);
+
 // ---- knots.c
 
 // A line of G6.2: a knot, and a point or not. NCK_OK; NCK_DONE: it was the last one; NCK_E_SPLINE,

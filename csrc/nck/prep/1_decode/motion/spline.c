@@ -6,7 +6,7 @@
 #include "nck/prep/1_decode/state/state.h" // nck_decode_assume nck_decode_block …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_length_word nck_decode_letter …
 #include "nck/prep/1_decode/place/place.h" // nck_decode_target nck_layout_way
-#include "nck/base/real.h" // nck_floor nck_min nck_max nck_sqrt nck_fabs
+#include "nck/base/real.h" // nck_floor nck_min nck_max nck_sqrt nck_fabs nck_rounded
 
 #include <string.h> // memcpy memset
 
@@ -105,8 +105,6 @@ static int is_flat(const nck_decode_t *self, double u, double v) {
     return 1;
 }
 
-static int64_t rounded(double x) { return (int64_t)nck_floor(x + 0.5); }
-
 // The end of the next chord: it does not pass a knot.
 static double step_on(nck_decode_t *self) {
     nck_spline_t *const spline = &self->held.spline;
@@ -139,7 +137,7 @@ static nck_status_t chord(nck_decode_t *self, nck_block_t *out) {
     point_at(self, spline->at, at);
     nck_status_t status = NCK_OK;
     for (unsigned axis = 0; axis < axes_of(spline) && status == NCK_OK; axis++) {
-        const int64_t place_nm = spline->works ? rounded(at[axis]) : last_nm[axis];
+        const int64_t place_nm = spline->works ? nck_rounded(at[axis]) : last_nm[axis];
         self->place.position_nm[axis] = place_nm;
         status = nck_decode_travel(self, axis, place_nm);
     }
@@ -174,7 +172,7 @@ static nck_status_t add_beside(nck_decode_t *self, const int64_t *from_nm, char 
     if (status == NCK_OK && says(self, y)) status = nck_decode_length_word(self, y, &place_nm[1]);
     double way[2] = {(double)place_nm[0], (double)place_nm[1]};
     if (self->layout.on != 0) (void)nck_layout_way(self, way);
-    for (unsigned k = 0; k < 2; k++) place_nm[k] = from_nm[k] + (int64_t)nck_floor(way[k] + 0.5);
+    for (unsigned k = 0; k < 2; k++) place_nm[k] = from_nm[k] + nck_rounded(way[k]);
     add_point(self, place_nm, 1.0);
     return status;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A tapped hole: can it be made, and its block. G33.1, and the holes of G84 and G74.
-#include "nck/prep/1_decode/motion/motion.h"
+#include "nck/prep/1_decode/motion/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_assume nck_decode_block …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_travel
 #include "nck/prep/1_decode/place/place.h" // nck_decode_target
@@ -19,13 +19,6 @@ static int is_empty(const nck_tap_t *tap) {
     return !(way > 0.0);
 }
 
-// A hole of no depth.
-static nck_status_t fail_empty(nck_decode_t *self, double v) {
-    nck_ramp_t ramp;
-    nck_thread_ramp(v, self->machine->path.a_max, self->machine->path.j_max, &ramp);
-    return fail(self, NCK_E_THREAD_RUN_IN, 'R', 2.0 * ramp.length, 0.0);
-}
-
 nck_status_t nck_decode_tap(nck_decode_t *self, const int64_t *bottom_nm, double lead,
                             double dwell_s, nck_block_t *out) {
     const double rpm = self->modal.speed;
@@ -37,7 +30,7 @@ nck_status_t nck_decode_tap(nck_decode_t *self, const int64_t *bottom_nm, double
     for (unsigned axis = 0; axis < 3; axis++) {
         tap.way[axis] = (double)(bottom_nm[axis] - self->place.position_nm[axis]) * 1e-6;
     }
-    if (is_empty(&tap)) return fail_empty(self, v);
+    if (is_empty(&tap)) return nck_thread_fail_empty(self, v, 'R');
     const double most = nck_tap_speed_most(self->machine, &tap);
     if (v > most) return fail(self, NCK_E_THREAD_SPEED, 'F', v, most);
     nck_tap_plan(self->machine, &tap, rpm, &pass, &back);

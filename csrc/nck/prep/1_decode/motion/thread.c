@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A pass of a thread: can it be made, and its block. G33 and G32.
-#include "nck/prep/1_decode/motion/motion.h"
+#include "nck/prep/1_decode/motion/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_assume nck_decode_block …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_travel nck_number_real
 #include "nck/prep/1_decode/tongue/tongue.h" // nck_lathe_is_a
@@ -42,11 +42,10 @@ nck_status_t nck_decode_thread_fits(nck_decode_t *self) {
     return fail(self, NCK_E_THREAD_SPEED, 'S', 0.0, 0.0);
 }
 
-// A pass of no length.
-static nck_status_t fail_empty(nck_decode_t *self, double v) {
+nck_status_t nck_thread_fail_empty(nck_decode_t *self, double v, char letter) {
     nck_ramp_t ramp;
     nck_thread_ramp(v, self->machine->path.a_max, self->machine->path.j_max, &ramp);
-    return fail(self, NCK_E_THREAD_RUN_IN, 'Z', 2.0 * ramp.length, 0.0);
+    return fail(self, NCK_E_THREAD_RUN_IN, letter, 2.0 * ramp.length, 0.0);
 }
 
 // Does the spindle's speed leave the axes their limits, and is there room to run in and out?
@@ -54,7 +53,7 @@ static nck_status_t check_pass(nck_decode_t *self, const double *start, const do
                                nck_thread_t *thread) {
     const double rpm = self->modal.speed;
     const double v = thread->lead * rpm / SECONDS;
-    if (!(thread->length > 0.0)) return fail_empty(self, v);
+    if (!(thread->length > 0.0)) return nck_thread_fail_empty(self, v, 'Z');
     const double most = nck_thread_speed_most(self->machine, start, end, thread);
     nck_pass_t pass;
     if (v > most) return fail(self, NCK_E_THREAD_SPEED, 'F', v, most);

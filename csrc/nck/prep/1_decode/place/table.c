@@ -4,7 +4,7 @@
 #include "nck/prep/1_decode/place/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail_step nck_decode_fail_word …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_axis_word nck_decode_length_word …
-#include "nck/base/real.h" // nck_floor
+#include "nck/base/real.h" // nck_rounded
 
 #include <stddef.h> // NULL size_t
 
@@ -23,8 +23,6 @@ static double changed(const nck_decode_t *self, uint32_t number, unsigned field,
     return value != NULL ? *value : otherwise;
 }
 
-static int64_t whole(double value) { return (int64_t)nck_floor(value + 0.5); }
-
 int nck_table_find(const nck_decode_t *self, uint32_t number, nck_tool_t *tool_out) {
     const nck_tool_t *const entry = nck_decode_find_tool(self, number);
     if (entry == NULL) return 0;
@@ -32,9 +30,9 @@ int nck_table_find(const nck_decode_t *self, uint32_t number, nck_tool_t *tool_o
     if (!NCK_HAS_VARIABLES) return 1;
     for (unsigned axis = 0; axis < 3; axis++) {
         const double offset = (double)entry->offset_nm[axis];
-        tool_out->offset_nm[axis] = whole(changed(self, number, FIELD_X + axis, offset));
+        tool_out->offset_nm[axis] = nck_rounded(changed(self, number, FIELD_X + axis, offset));
     }
-    tool_out->offset_nm[NCK_AXIS_Z] += whole(changed(self, number, FIELD_WEAR, 0.0));
+    tool_out->offset_nm[NCK_AXIS_Z] += nck_rounded(changed(self, number, FIELD_WEAR, 0.0));
     tool_out->radius_mm = changed(self, number, FIELD_RADIUS, entry->radius_mm);
     tool_out->wear_mm = changed(self, number, FIELD_RADIUS_WEAR, entry->wear_mm);
     tool_out->orientation = (uint32_t)changed(self, number, FIELD_NOSE, entry->orientation);
@@ -105,7 +103,7 @@ static nck_status_t set_length(nck_decode_t *self, uint32_t number, int64_t list
     }
     nck_status_t status = nck_decode_length_word(self, 'R', &value_nm);
     if (self->modal.incremental) {
-        const int64_t wear_nm = whole(changed(self, number, FIELD_WEAR, 0.0));
+        const int64_t wear_nm = nck_rounded(changed(self, number, FIELD_WEAR, 0.0));
         value_nm += field == FIELD_WEAR ? wear_nm : tool.offset_nm[NCK_AXIS_Z] - wear_nm;
     }
     if (status == NCK_OK) status = nck_decode_steps(self, NCK_AXIS_Z, 0, 0, &value_nm);
