@@ -90,6 +90,11 @@ void nck_comp_piece(nck_toolcomp_t *self, uint32_t count, nck_comp_part_t part,
     else (void)nck_shape_parallel(&entry->contour, self->side * self->radius, &out->shape);
 }
 
+void nck_comp_on_path(nck_toolcomp_t *self, const nck_comp_piece_t *piece, nck_shape_t *out) {
+    const nck_comp_span_t *const span = &nck_comp_at(self, piece->of)->path[piece->part];
+    nck_shape_part(&piece->shape, span->from, span->to, out);
+}
+
 int nck_comp_following(nck_toolcomp_t *self, const nck_comp_piece_t *piece, nck_comp_piece_t *out) {
     uint32_t count = piece->of;
     int part = piece->part + 1;

@@ -11,10 +11,6 @@
 
 enum { PHASE_CUT = 1, PHASE_BACK, PHASE_OUT, PHASE_NEXT };
 
-static int has(const nck_decode_t *self, char letter) {
-    return (self->words.letters & NCK_LETTER(letter)) != 0;
-}
-
 static unsigned axis_of(unsigned k) { return k == 0 ? NCK_AXIS_X : NCK_AXIS_Z; }
 
 static nck_status_t fail_missing(nck_decode_t *self, int letter) {
@@ -35,11 +31,11 @@ static nck_status_t read_increments(nck_decode_t *self, char letter, int64_t *st
 static nck_status_t read_step(nck_decode_t *self, unsigned k, int64_t *step_out) {
     const char letter = k == 0 ? 'P' : 'Q';
     const char other = k == 0 ? 'I' : 'K';
-    const char said = has(self, other) ? other : letter;
-    if (has(self, letter) && has(self, other)) {
+    const char said = nck_has_word(self, other) ? other : letter;
+    if (nck_has_word(self, letter) && nck_has_word(self, other)) {
         return nck_decode_fail_word(self, NCK_E_WORD_SHARED, other, 0.0, 0.0);
     }
-    if (!has(self, said)) return fail_missing(self, letter);
+    if (!nck_has_word(self, said)) return fail_missing(self, letter);
     const nck_status_t status = said == other ? nck_decode_length_word(self, said, step_out)
                                               : read_increments(self, said, step_out);
     if (status != NCK_OK || *step_out > 0) return status;
@@ -65,7 +61,7 @@ static nck_status_t read_steps(nck_decode_t *self) {
     nck_peck_t *const peck = &self->held.peck;
     const nck_number_t *const relief = &self->words.number['R' - 'A'];
     const unsigned rows = 1u - peck->along;
-    if (has(self, 'R') && relief->mantissa != 0) {
+    if (nck_has_word(self, 'R') && relief->mantissa != 0) {
         return nck_decode_fail(self, NCK_E_UNSUPPORTED, self->words.column['R' - 'A'], 'G',
                                self->words.code[NCK_STEP_MOTION] / 10.0, 0.0);
     }
@@ -77,7 +73,7 @@ static nck_status_t read_steps(nck_decode_t *self) {
 // The first of two lines: how far a peck goes back.
 static nck_status_t keep_back(nck_decode_t *self) {
     int64_t back_nm = 0;
-    if (!has(self, 'R')) return fail_missing(self, 'R');
+    if (!nck_has_word(self, 'R')) return fail_missing(self, 'R');
     const nck_status_t status = nck_decode_length_word(self, 'R', &back_nm);
     if (status == NCK_OK && back_nm < 0) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'R', nck_decode_said(self, 'R'), 0.0);

@@ -107,7 +107,7 @@ static nck_status_t begin(nck_decode_t *self) {
         turn->said = 0;
         turn->taper_nm = 0;
     }
-    const int says_taper = (self->words.letters & NCK_LETTER('R')) != 0;
+    const int says_taper = nck_has_word(self, 'R');
     if (self->words.axes == 0) return says_taper ? fail_missing(self, 'X') : NCK_OK;
     nck_decode_assume(self, NCK_NOTE_UNITS);
     if (self->machine->dialect.system == NCK_SYSTEM_OPEN) nck_decode_assume(self, NCK_NOTE_SYSTEM);

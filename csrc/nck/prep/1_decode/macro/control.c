@@ -31,7 +31,7 @@ static nck_status_t set_work(nck_decode_t *self, const char *at, uint64_t number
 
 // What the control itself does where its own parameters are set.
 static nck_status_t set_own(nck_decode_t *self, const char *at, uint64_t number, double value) {
-    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
+    const int fanuc = nck_is_fanuc(self);
     if (fanuc && number == ALARMS) {
         return nck_decode_fail_last(self, NCK_E_ALARM, nck_value_is(value) ? value : 0.0, 0.0);
     }
@@ -74,7 +74,7 @@ static nck_status_t read_target(nck_decode_t *self, const char **at, uint64_t *k
 }
 
 nck_status_t nck_decode_assign(nck_decode_t *self, const char **at) {
-    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
+    const int fanuc = nck_is_fanuc(self);
     const char *const first = *at;
     uint64_t key = 0;
     double value = 0.0;

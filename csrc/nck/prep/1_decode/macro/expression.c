@@ -48,7 +48,7 @@ static void only(work_t *work, uint32_t whose) {
 }
 
 static int is_fanuc(const work_t *work) {
-    return work->self->machine->dialect.base == NCK_DIALECT_FANUC;
+    return nck_is_fanuc(work->self);
 }
 
 static void skip(work_t *work) { work->at = nck_decode_skip(work->at); }

@@ -23,10 +23,6 @@ static double mm(int64_t value_nm) {
     return (double)value_nm / 1e6;
 }
 
-static int has(const nck_decode_t *self, char letter) {
-    return (self->words.letters & NCK_LETTER(letter)) != 0;
-}
-
 // One of I J K, of a set that is not empty.
 static int first_of(uint32_t letters) {
     if (letters & NCK_LETTER('I')) return 'I';
@@ -55,7 +51,7 @@ static nck_status_t choose_plane(nck_decode_t *self, course_t *course) {
 static nck_status_t read_turns(nck_decode_t *self, course_t *course) {
     const nck_number_t *const word = &self->words.number['P' - 'A'];
     int64_t turns = 1;
-    const int own = has(self, 'P') && !(self->words.codes & (NCK_STEP(NCK_STEP_DWELL)
+    const int own = nck_has_word(self, 'P') && !(self->words.codes & (NCK_STEP(NCK_STEP_DWELL)
                                                              | NCK_STEP(NCK_STEP_PATH)));
     if (own && (!nck_number_whole(word, 0, &turns) || turns < 1 || turns > NCK_DECODE_TURNS_MAX)) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'P', nck_number_real(word),
@@ -67,7 +63,7 @@ static nck_status_t read_turns(nck_decode_t *self, course_t *course) {
 
 static nck_status_t read_length(nck_decode_t *self, char letter, int64_t *value_out) {
     *value_out = 0;
-    return has(self, letter) ? nck_decode_length_word(self, letter, value_out) : NCK_OK;
+    return nck_has_word(self, letter) ? nck_decode_length_word(self, letter, value_out) : NCK_OK;
 }
 
 // The furthest points of a circle within its sweep must be in the travel; its ends are checked
@@ -160,7 +156,7 @@ static nck_status_t read_centre(nck_decode_t *self, course_t *course) {
     nck_decode_assume(self, NCK_NOTE_ARC_CENTRE);
     for (unsigned k = 0; k < 2; k++) {
         int64_t centre_nm;
-        if (self->modal.centre_absolute && !has(self, letters[k])) {
+        if (self->modal.centre_absolute && !nck_has_word(self, letters[k])) {
             return nck_decode_fail(self, NCK_E_WORD_MISSING, 0, letters[k], 0.0, 0.0);
         }
         const nck_status_t status = read_length(self, letters[k], &centre_nm);
@@ -192,7 +188,7 @@ static nck_status_t fail_radius(nck_decode_t *self, const course_t *course, doub
     const nck_status_t status = fail_arc(self, NCK_E_ARC_RADIUS, end, start);
     double c[2];
     for (unsigned k = 0; k < 2; k++) {
-        if (!has(self, (char)('I' + axes[k])) || self->layout.on != 0) return status;
+        if (!nck_has_word(self, (char)('I' + axes[k])) || self->layout.on != 0) return status;
         const int64_t zero_nm = self->place.origin_nm[axes[k]] - self->place.position_nm[axes[k]];
         c[k] = course->c[k] + sign * mm(zero_nm);
     }
@@ -292,7 +288,7 @@ static nck_status_t turn_over(nck_decode_t *self, course_t *course) {
     double unit[2] = {1.0, 1.0};
     const double scale = nck_layout_way(self, unit);
     const int even = nck_fabs(scale) > 0.0;
-    const int absolute = self->modal.centre_absolute && !has(self, 'R');
+    const int absolute = self->modal.centre_absolute && !nck_has_word(self, 'R');
     if (!even || absolute) return fail_arc(self, NCK_E_LAYOUT_ON, absolute ? 1.0 : 0.0, 0.0);
     if (scale < 0.0) course->turn = -course->turn;
     return NCK_OK;
@@ -311,7 +307,7 @@ nck_status_t nck_decode_arc(nck_decode_t *self, const nck_block_in_t *pushed,
     }
     course.d[0] = mm(target_nm[course.u] - self->place.position_nm[course.u]);
     course.d[1] = mm(target_nm[course.v] - self->place.position_nm[course.v]);
-    if (!pushed && has(self, 'R')) return arc_by_radius(self, &course, target_nm, out);
+    if (!pushed && nck_has_word(self, 'R')) return arc_by_radius(self, &course, target_nm, out);
     if (pushed) take_centre(self, pushed, &course);
     else status = read_centre(self, &course);
     return status == NCK_OK ? arc_about(self, &course, target_nm, out) : status;

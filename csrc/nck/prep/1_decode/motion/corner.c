@@ -52,7 +52,7 @@ void nck_corner_keep(nck_decode_t *self, char letter, unsigned column,
 }
 
 int nck_corner_speaks(const nck_decode_t *self) {
-    return NCK_HAS_CYCLES && self->machine->dialect.base == NCK_DIALECT_FANUC;
+    return NCK_HAS_CYCLES && nck_is_fanuc(self);
 }
 
 uint32_t nck_corner_letters(nck_decode_t *self, uint32_t letters) {

@@ -16,7 +16,7 @@ enum { FANUC_ORDER = 4, ORDER_LEAST = 2 };
 
 static nck_status_t fail(nck_decode_t *self, nck_status_t code, int letter, double value,
                          double limit) {
-    const int at = letter >= 'A' && (self->words.letters & NCK_LETTER(letter)) != 0;
+    const int at = letter >= 'A' && nck_has_word(self, letter);
     if (at) return nck_decode_fail_word(self, code, letter, value, limit);
     return nck_decode_fail_step(self, code, NCK_STEP_MOTION, letter, value, limit);
 }

@@ -4,6 +4,13 @@
 #define NCK_PREP_DECODE_MOTION_PARTS_H
 
 #include "nck/prep/1_decode/motion/motion.h"
+#include "nck/prep/1_decode/state/state.h" // nck_decode_fail_step
+
+// As nck_decode_fail_step at the line's motion. Cost: constant.
+static inline nck_status_t nck_motion_fail(nck_decode_t *self, nck_status_t code, int letter,
+                                           double value, double limit) {
+    return nck_decode_fail_step(self, code, NCK_STEP_MOTION, letter, value, limit);
+}
 
 // ---- arc.c
 

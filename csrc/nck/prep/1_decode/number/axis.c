@@ -24,7 +24,7 @@ double nck_decode_as_word(const nck_scale_t *scale, double value_nm) {
 
 static unsigned column_of_axis(const nck_decode_t *self, unsigned axis) {
     const int letter = nck_decode_letter(axis);
-    const int said = (self->words.letters & NCK_LETTER(letter)) != 0;
+    const int said = nck_has_word(self, letter);
     return said ? self->words.column[letter - 'A'] : 0;
 }
 
@@ -62,7 +62,7 @@ nck_status_t nck_decode_length_word(nck_decode_t *self, char letter, int64_t *va
 nck_status_t nck_decode_beyond(nck_decode_t *self, unsigned axis, double at_nm, double times) {
     const nck_scale_t *const scale = nck_decode_scale_of(self, axis);
     const int letter = nck_decode_letter(axis);
-    const int said = (self->words.letters & NCK_LETTER(letter)) != 0;
+    const int said = nck_has_word(self, letter);
     const double most_nm = at_nm < 0.0 ? -(double)scale->limit : (double)scale->limit;
     const double at = nck_decode_as_word(scale, at_nm), most = nck_decode_as_word(scale, most_nm);
     const double counts = nck_decode_counts(self, letter);

@@ -18,10 +18,6 @@ void nck_plane_axes(const nck_decode_t *self, unsigned *u, unsigned *v) {
     *v = self->modal.plane == 17 ? NCK_AXIS_Y : self->modal.plane == 18 ? NCK_AXIS_X : NCK_AXIS_Z;
 }
 
-static int has_word(const nck_decode_t *self, int letter) {
-    return (self->words.letters & NCK_LETTER(letter)) != 0;
-}
-
 static nck_status_t fail(nck_decode_t *self, nck_status_t code, int letter, double value) {
     return nck_decode_fail_step(self, code, NCK_STEP_LAYOUT, letter, value, 0.0);
 }
@@ -200,7 +196,7 @@ nck_status_t nck_layout_spares(nck_decode_t *self, unsigned axis) {
 int nck_layout_says_radius(const nck_decode_t *self) {
     unsigned u, v;
     nck_plane_axes(self, &u, &v);
-    return has_word(self, nck_decode_letter(u));
+    return nck_has_word(self, nck_decode_letter(u));
 }
 
 // ---- codes
@@ -271,13 +267,13 @@ static nck_status_t read_factor(nck_decode_t *self, int letter, double *factor_o
 static nck_status_t read_factors(nck_decode_t *self, double *factor) {
     const uint32_t each = self->words.letters & NCK_LETTERS_CENTRE;
     nck_status_t status = NCK_OK;
-    if (has_word(self, 'P') && each) {
+    if (nck_has_word(self, 'P') && each) {
         return nck_decode_fail_word(self, NCK_E_WORD_SHARED, 'P', 0.0, 0.0);
     }
-    if (!has_word(self, 'P') && !each) return fail(self, NCK_E_WORD_MISSING, 'P', 51.0);
+    if (!nck_has_word(self, 'P') && !each) return fail(self, NCK_E_WORD_MISSING, 'P', 51.0);
     for (unsigned k = 0; k < 3 && status == NCK_OK; k++) {
         const int letter = each ? (int)('I' + k) : 'P';
-        if (has_word(self, letter)) status = read_factor(self, letter, &factor[k]);
+        if (nck_has_word(self, letter)) status = read_factor(self, letter, &factor[k]);
     }
     return status;
 }
@@ -331,7 +327,7 @@ static nck_status_t rotate(nck_decode_t *self) {
     unsigned u, v;
     nck_status_t status = check_order(self, NCK_LAYOUT_TURN, 68.0);
     if (status != NCK_OK) return status;
-    if (!has_word(self, 'R')) return fail(self, NCK_E_WORD_MISSING, 'R', 68.0);
+    if (!nck_has_word(self, 'R')) return fail(self, NCK_E_WORD_MISSING, 'R', 68.0);
     if (self->modal.incremental) return fail(self, NCK_E_INCREMENTAL, 'G', 68.0);
     if (!(nck_fabs(degrees) <= degrees_most)) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'R', nck_decode_said(self, 'R'),

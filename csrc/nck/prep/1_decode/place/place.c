@@ -126,7 +126,7 @@ static nck_status_t fail_missing(nck_decode_t *self, int letter) {
 
 // Fanuc's G92 while G52 is in force: which of them then counts goes by the control.
 static nck_status_t check_local(nck_decode_t *self) {
-    const int both = self->place.is_local && self->machine->dialect.base == NCK_DIALECT_FANUC;
+    const int both = self->place.is_local && nck_is_fanuc(self);
     if (!both) return NCK_OK;
     return nck_decode_fail_code(self, NCK_E_UNSUPPORTED, NCK_STEP_OFFSET);
 }
@@ -157,7 +157,7 @@ static nck_status_t rename_position(nck_decode_t *self) {
 // G52: the program's zero lies there in the work system. RS274NGC keeps it where G92 does; on
 // Fanuc's controls both would count, and what then holds goes by the control.
 static nck_status_t set_local(nck_decode_t *self) {
-    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
+    const int fanuc = nck_is_fanuc(self);
     int64_t g92_nm[NCK_AXIS_MAX];
     if (self->words.axes == 0) return fail_missing(self, 'X');
     if (fanuc && self->modal.incremental) {
@@ -180,7 +180,7 @@ static nck_status_t set_local(nck_decode_t *self) {
 
 // R turns a work system of RS274NGC by G10 L2. L20 in one that is turned is not built.
 static nck_status_t check_turn(nck_decode_t *self, int64_t list) {
-    const int turns = (self->words.letters & NCK_LETTER('R')) != 0;
+    const int turns = nck_has_word(self, 'R');
     const double degrees = turns ? nck_number_real(&self->words.number['R' - 'A']) : 0.0;
     const int here = list == NCK_LIST_WORK_HERE;
     const int builds = NCK_HAS_LAYOUTS && self->tongue == NCK_TONGUE_LINUXCNC && !here
@@ -236,7 +236,7 @@ static nck_status_t set_work(nck_decode_t *self, int64_t list) {
         work[axis] = list == NCK_LIST_WORK ? value : here + in_force[axis] - value;
     }
     memcpy(kept, work, sizeof work);
-    const int turns = (self->words.letters & NCK_LETTER('R')) != 0;
+    const int turns = nck_has_word(self, 'R');
     if (turns) nck_turned_set(self, row, nck_number_real(&self->words.number['R' - 'A']));
     return NCK_EMPTY;
 }

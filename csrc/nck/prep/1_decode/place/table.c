@@ -13,10 +13,6 @@ enum { FIELD_X, FIELD_Y, FIELD_Z, FIELD_RADIUS, FIELD_NOSE, FIELD_WEAR, FIELD_RA
 
 enum { L_ENTRY = 1, L_HERE = 10, L_FIXTURE = 11, L_RADIUS = 12, L_RADIUS_WEAR = 13 };
 
-static int is_fanuc(const nck_decode_t *self) {
-    return self->machine->dialect.base == NCK_DIALECT_FANUC;
-}
-
 static double changed(const nck_decode_t *self, uint32_t number, unsigned field,
                       double otherwise) {
     const double *const value = nck_variable_find(self, nck_variable_tool(number, field));
@@ -151,7 +147,7 @@ nck_status_t nck_table_lists(nck_decode_t *self, int64_t list) {
 static int stranger(const nck_decode_t *self) {
     const uint32_t fanuc = NCK_LETTERS_AXES | NCK_LETTER('Q');
     const uint32_t others = NCK_LETTERS_AXES & ~(uint32_t)NCK_LETTERS_XYZ;
-    const uint32_t left = self->words.letters & (is_fanuc(self) ? fanuc : others);
+    const uint32_t left = self->words.letters & (nck_is_fanuc(self) ? fanuc : others);
     for (int letter = 'A'; letter <= 'Z'; letter++) {
         if (left & NCK_LETTER(letter)) return letter;
     }
@@ -167,7 +163,7 @@ nck_status_t nck_table_set(nck_decode_t *self, int64_t list) {
     if (nck_decode_find_tool(self, (uint32_t)number) == NULL) {
         return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'P', (double)number, 0.0);
     }
-    if (is_fanuc(self)) {
+    if (nck_is_fanuc(self)) {
         if (self->words.letters & NCK_LETTER('R')) {
             status = list >= L_RADIUS ? set_radius(self, (uint32_t)number, list)
                                       : set_length(self, (uint32_t)number, list);

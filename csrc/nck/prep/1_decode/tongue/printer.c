@@ -133,7 +133,7 @@ static int has_text(const nck_decode_t *self, unsigned step) {
 
 const char *nck_printer_text(const nck_decode_t *self, const char *at, unsigned step) {
     if (!NCK_HAS_FOREIGN) return at;
-    const int numbered = (self->words.letters & NCK_LETTER('N')) != 0;
+    const int numbered = nck_has_word(self, 'N');
     int32_t value = 0;
     if (self->tongue != NCK_TONGUE_MARLIN || !has_text(self, step)) return at;
     while (*at != '\n' && *at != ';') {
@@ -176,7 +176,7 @@ nck_status_t nck_printer_resolve(nck_decode_t *self) {
 // S, or R of a wait; a fan without S turns fully.
 static nck_status_t read_value(nck_decode_t *self, const printer_code_t *code, double *value_out) {
     const double full = 255.0, most = 1e6;
-    const int s = (self->words.letters & NCK_LETTER('S')) != 0;
+    const int s = nck_has_word(self, 'S');
     const char letter = s ? 'S' : 'R';
     *value_out = full;
     if (!s && !(self->words.letters & NCK_LETTER('R'))) {
