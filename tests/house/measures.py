@@ -112,6 +112,19 @@ def called_once():
     return once, every
 
 
+def doubles():
+    """Return the static functions of csrc/nck that stand in two files, [[file: name, …], …]."""
+    found = {}
+    function = re.compile(r"^static [\w *]*?\b(\w+)(\([^;{]*\)\s*\{.*?\}$)", re.M | re.S)
+    for name in (name for name in house.CORE if name.endswith(".c")):
+        text = house.without_comments(house.read(name))
+        for each in function.finditer(text):
+            end = each.end() if each[0].count("\n") == 0 else text.index("\n}", each.start(2))
+            body = " ".join(text[each.start(2) : end].split())
+            found.setdefault(body, []).append(f"{name}: {each[1]}")
+    return [names for names in found.values() if len({n.partition(":")[0] for n in names}) > 1]
+
+
 def sources():
     """Return sources a 1000 lines of formula headers: a year of a work, a standard, a page."""
     texts = [house.read(name) for name in house.CORE if name.endswith("_math.h")]
@@ -180,6 +193,7 @@ def figures():
     yield "nck.h: documented each by itself", f"{told:.0%}"
     once, every = called_once()
     yield "static functions of csrc/nck called from one place", f"{once / every:.0%} of {every:,}"
+    yield "static functions of csrc/nck that stand in two files", f"{len(doubles())}"
     yield "sources a 1000 lines of formulas", f"{sources():.1f}"
     yield "words of the glossary", f"{len(glossary())}"
     yield "words of docs and DESIGN", f"{words_of_pages():,}"

@@ -40,3 +40,9 @@ def test_the_glossary_is_short_and_a_word_of_it_is_of_one_room():
     assert rooms["plan"] == {"5_slope"}
     several = {word for word, found in rooms.items() if len(found) > 1}
     assert several == {"contour"}  # one thing: room 1 reads it, room 2 goes beside it
+
+
+def test_no_rule_stands_in_two_files():
+    double = measures.doubles()
+    assert [names for names in double if "5_slope" not in names[0]] == []
+    assert len(double) <= 1  # end_of: a node's end

@@ -8,7 +8,7 @@
 #include "nck/prep/1_decode/modal/modal.h" // nck_decode_set_feed
 #include "nck/prep/1_decode/macro/macro.h" // nck_call_return
 #include "nck/prep/1_decode/motion/motion.h" // nck_corner_missing
-#include "nck/base/arc_math.h" // nck_arc_norm
+#include "nck/base/arc_math.h" // nck_arc_inner nck_arc_norm nck_arc_outer
 #include "nck/base/real.h" // nck_fabs nck_nm_of
 #include "nck/base/trig.h" // nck_atan2 nck_sincos
 
@@ -196,7 +196,7 @@ static nck_status_t round_corner(nck_decode_t *self) {
         v[k] = (double)(last->to_nm[1 - k] - before->to_nm[1 - k]) / 1e6;
     }
     const double before_mm = nck_arc_norm(u[0], u[1]), last_mm = nck_arc_norm(v[0], v[1]);
-    const double turn = nck_atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1]);
+    const double turn = nck_atan2(nck_arc_outer(u, v), nck_arc_inner(u, v));
     double sine, cosine;
     nck_sincos(0.5 * nck_fabs(turn), &sine, &cosine);
     const double ahead = radius * sine; // of the corner, times cosine

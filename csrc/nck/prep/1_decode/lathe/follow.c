@@ -6,6 +6,7 @@
 #include "nck/prep/1_decode/lathe/level.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_block
 #include "nck/prep/1_decode/motion/motion.h" // nck_decode_give_exact nck_decode_give_within
+#include "nck/base/arc_math.h" // nck_arc_inner nck_arc_outer
 #include "nck/base/real.h" // nck_nm_of
 #include "nck/base/trig.h" // nck_atan2
 
@@ -155,8 +156,7 @@ static nck_status_t give_slant(nck_decode_t *self, const nck_slant_t *slant, nck
     }
     const double from[2] = {at[0] - slant->ca, at[1] - slant->cd};
     const double to[2] = {slant->a[1] - slant->ca, slant->d[1] - slant->cd};
-    const double sweep = nck_atan2(from[0] * to[1] - from[1] * to[0],
-                                   from[0] * to[0] + from[1] * to[1]);
+    const double sweep = nck_atan2(nck_arc_outer(from, to), nck_arc_inner(from, to));
     const nck_status_t status = nck_follow_go(self, NCK_BLOCK_ARC, slant->a[1], slant->d[1], out);
     centre[rough->along] = (double)rough->sign[0] * slant->ca;
     centre[1 - rough->along] = (double)rough->sign[1] * slant->cd;

@@ -6,7 +6,7 @@
 //        └────────────────▶ a       every part that rises or falls all along it is one stretch.
 #include "nck/prep/1_decode/lathe/level.h"
 #include "nck/prep/1_decode/lathe/lathe.h"
-#include "nck/base/arc_math.h" // nck_arc_norm
+#include "nck/base/arc_math.h" // nck_arc_inner nck_arc_norm nck_arc_outer
 #include "nck/base/real.h" // nck_sqrt …
 #include "nck/base/trig.h" // nck_atan2
 
@@ -45,9 +45,7 @@ double nck_level_turn(const nck_decode_t *self, double sweep) {
 
 // The angle from a vector to another one in the sense of turn, 0 … 2π.
 static double angle_to(const double *from, const double *to, double turn) {
-    const double cross = from[0] * to[1] - from[1] * to[0];
-    const double dot = from[0] * to[0] + from[1] * to[1];
-    const double angle = turn * nck_atan2(cross, dot);
+    const double angle = turn * nck_atan2(nck_arc_outer(from, to), nck_arc_inner(from, to));
     return angle < 0.0 ? angle + 2.0 * NCK_PI : angle;
 }
 

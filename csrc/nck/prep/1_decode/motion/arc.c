@@ -5,7 +5,7 @@
 #include "nck/prep/1_decode/number/number.h" // nck_decode_as_word nck_decode_counts …
 #include "nck/prep/1_decode/place/place.h" // nck_layout_way nck_plane_axes
 #include "nck/base/arc_math.h" // nck_arc_sweep …
-#include "nck/base/real.h" // nck_nm_of nck_rounded …
+#include "nck/base/real.h" // nck_mm_of nck_nm_of nck_rounded …
 
 #include <stddef.h> // NULL
 #include <string.h> // memcpy memset
@@ -18,10 +18,6 @@ typedef struct course {
     double d[2];            // end
     double c[2];            // centre
 } course_t;
-
-static double mm(int64_t value_nm) {
-    return (double)value_nm / 1e6;
-}
 
 // One of I J K, of a set that is not empty.
 static int first_of(uint32_t letters) {
@@ -96,7 +92,7 @@ static nck_status_t fill_block(nck_decode_t *self, const course_t *course, const
     for (unsigned k = 0; k < 2; k++) {
         const int64_t tool_nm = self->place.tool_nm[axes[k]];
         centre_nm[k] = (double)from_nm[axes[k]] + course->c[k] * 1e6;
-        out->centre_mm[k] = mm(from_nm[axes[k]] - tool_nm) + course->c[k];
+        out->centre_mm[k] = nck_mm_of(from_nm[axes[k]] - tool_nm) + course->c[k];
     }
     out->sweep_rad = sweep;
     const double from[2] = {-course->c[0], -course->c[1]};
@@ -128,7 +124,7 @@ static nck_status_t arc_by_radius(nck_decode_t *self, course_t *course, const in
     if (status != NCK_OK) return status;
     double unit[2] = {1.0, 0.0};
     const double scale = self->layout.on != 0 ? nck_fabs(nck_layout_way(self, unit)) : 1.0;
-    const double radius = scale * mm(radius_nm);
+    const double radius = scale * nck_mm_of(radius_nm);
     if (radius_nm == 0 || !(length > 0.0)) {
         return nck_decode_fail_word(self, NCK_E_ARC_CENTRE, 'R', radius, 0.0);
     }
@@ -164,7 +160,7 @@ static nck_status_t read_centre(nck_decode_t *self, course_t *course) {
         if (self->modal.centre_absolute) {
             centre_nm += self->place.origin_nm[axes[k]] - self->place.position_nm[axes[k]];
         }
-        course->c[k] = mm(centre_nm);
+        course->c[k] = nck_mm_of(centre_nm);
     }
     if (self->layout.on != 0) (void)nck_layout_way(self, course->c);
     return NCK_OK;
@@ -190,7 +186,7 @@ static nck_status_t fail_radius(nck_decode_t *self, const course_t *course, doub
     for (unsigned k = 0; k < 2; k++) {
         if (!nck_has_word(self, (char)('I' + axes[k])) || self->layout.on != 0) return status;
         const int64_t zero_nm = self->place.origin_nm[axes[k]] - self->place.position_nm[axes[k]];
-        c[k] = course->c[k] + sign * mm(zero_nm);
+        c[k] = course->c[k] + sign * nck_mm_of(zero_nm);
     }
     const double other = nck_arc_norm(c[0], c[1]);
     const double rest = nck_arc_norm(course->d[0] - c[0], course->d[1] - c[1]);
@@ -233,8 +229,8 @@ static nck_status_t arc_in_two(nck_decode_t *self, course_t *course, const int64
         middle_nm[axis] = from_nm[axis] + nck_rounded(ahead_nm);
     }
     first.more = 0.0;
-    first.d[0] = mm(middle_nm[course->u] - from_nm[course->u]);
-    first.d[1] = mm(middle_nm[course->v] - from_nm[course->v]);
+    first.d[0] = nck_mm_of(middle_nm[course->u] - from_nm[course->u]);
+    first.d[1] = nck_mm_of(middle_nm[course->v] - from_nm[course->v]);
     for (unsigned k = 0; k < 2; k++) {
         second.d[k] = course->d[k] - first.d[k];
         second.c[k] = course->c[k] - first.d[k];
@@ -277,7 +273,7 @@ static void take_centre(const nck_decode_t *self, const nck_block_in_t *pushed, 
     for (unsigned k = 0; k < 2; k++) {
         const int64_t origin_nm = self->place.origin_nm[axes[k]];
         const int64_t centre_nm = nck_nm_of(pushed->centre[k]);
-        course->c[k] = mm(origin_nm + centre_nm - self->place.position_nm[axes[k]]);
+        course->c[k] = nck_mm_of(origin_nm + centre_nm - self->place.position_nm[axes[k]]);
     }
     course->more = (turns - 1.0) * 2.0 * NCK_PI;
 }
@@ -305,8 +301,8 @@ nck_status_t nck_decode_arc(nck_decode_t *self, const nck_block_in_t *pushed,
         status = turn_over(self, &course);
         if (status != NCK_OK) return status;
     }
-    course.d[0] = mm(target_nm[course.u] - self->place.position_nm[course.u]);
-    course.d[1] = mm(target_nm[course.v] - self->place.position_nm[course.v]);
+    course.d[0] = nck_mm_of(target_nm[course.u] - self->place.position_nm[course.u]);
+    course.d[1] = nck_mm_of(target_nm[course.v] - self->place.position_nm[course.v]);
     if (!pushed && nck_has_word(self, 'R')) return arc_by_radius(self, &course, target_nm, out);
     if (pushed) take_centre(self, pushed, &course);
     else status = read_centre(self, &course);
