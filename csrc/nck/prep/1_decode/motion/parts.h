@@ -5,11 +5,20 @@
 
 #include "nck/prep/1_decode/motion/motion.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail_step
+#include "nck/base/thread.h" // nck_thread_ramp
 
 // As nck_decode_fail_step at the line's motion. Cost: constant.
 static inline nck_status_t nck_motion_fail(nck_decode_t *self, nck_status_t code, int letter,
                                            double value, double limit) {
     return nck_decode_fail_step(self, code, NCK_STEP_MOTION, letter, value, limit);
+}
+
+// NCK_E_THREAD_RUN_IN: a pass of no length, or a hole of no depth, at the speed v [mm/s]; letter:
+// the word that says so. Cost: constant.
+static inline nck_status_t nck_motion_fail_empty(nck_decode_t *self, double v, char letter) {
+    nck_ramp_t ramp;
+    nck_thread_ramp(v, self->machine->path.a_max, self->machine->path.j_max, &ramp);
+    return nck_motion_fail(self, NCK_E_THREAD_RUN_IN, letter, 2.0 * ramp.length, 0.0);
 }
 
 // ---- arc.c
@@ -25,12 +34,6 @@ nck_status_t nck_decode_arc(nck_decode_t *self, const nck_block_in_t *pushed,
 // nck_decode_cutting_feed. Cost: constant.
 nck_status_t nck_decode_straight(nck_decode_t *self, nck_block_kind_t kind,
                                  const int64_t *target_nm, nck_block_t *out);
-
-// ---- thread.c
-
-// NCK_E_THREAD_RUN_IN: a pass of no length, or a hole of no depth, at the speed v [mm/s]; letter:
-// the word that says so. Cost: constant.
-nck_status_t nck_thread_fail_empty(nck_decode_t *self, double v, char letter);
 
 // ---- knots.c
 

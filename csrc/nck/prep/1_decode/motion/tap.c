@@ -25,7 +25,7 @@ nck_status_t nck_decode_tap(nck_decode_t *self, const int64_t *bottom_nm, double
     for (unsigned axis = 0; axis < 3; axis++) {
         tap.way[axis] = (double)(bottom_nm[axis] - self->place.position_nm[axis]) * 1e-6;
     }
-    if (is_empty(&tap)) return nck_thread_fail_empty(self, v, 'R');
+    if (is_empty(&tap)) return nck_motion_fail_empty(self, v, 'R');
     const double most = nck_tap_speed_most(self->machine, &tap);
     if (v > most) return nck_motion_fail(self, NCK_E_THREAD_SPEED, 'F', v, most);
     nck_tap_plan(self->machine, &tap, rpm, &pass, &back);

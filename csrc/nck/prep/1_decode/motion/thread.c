@@ -37,18 +37,12 @@ nck_status_t nck_decode_thread_fits(nck_decode_t *self) {
     return nck_motion_fail(self, NCK_E_THREAD_SPEED, 'S', 0.0, 0.0);
 }
 
-nck_status_t nck_thread_fail_empty(nck_decode_t *self, double v, char letter) {
-    nck_ramp_t ramp;
-    nck_thread_ramp(v, self->machine->path.a_max, self->machine->path.j_max, &ramp);
-    return nck_motion_fail(self, NCK_E_THREAD_RUN_IN, letter, 2.0 * ramp.length, 0.0);
-}
-
 // Does the spindle's speed leave the axes their limits, and is there room to run in and out?
 static nck_status_t check_pass(nck_decode_t *self, const double *start, const double *end,
                                nck_thread_t *thread) {
     const double rpm = self->modal.speed;
     const double v = thread->lead * rpm / SECONDS;
-    if (!(thread->length > 0.0)) return nck_thread_fail_empty(self, v, 'Z');
+    if (!(thread->length > 0.0)) return nck_motion_fail_empty(self, v, 'Z');
     const double most = nck_thread_speed_most(self->machine, start, end, thread);
     nck_pass_t pass;
     if (v > most) return nck_motion_fail(self, NCK_E_THREAD_SPEED, 'F', v, most);
