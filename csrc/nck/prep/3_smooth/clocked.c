@@ -2,6 +2,7 @@
 // Inside room 3: runs of blocks within a tolerance as clocked paths.
 #include "nck/prep/3_smooth/clocked.h"
 
+#include <stddef.h> // offsetof
 #include <string.h> // memcpy memset
 
 #include "nck/base/path_math.h"        // nck_path_slope
@@ -64,6 +65,10 @@ static void open_run(nck_clocked_t *self, const nck_terms_t *terms, const nck_se
     self->out.tail = 0;
     memcpy(self->position, seg->start, sizeof self->position);
     nck_stream_begin(&self->stream, &wish);
+}
+
+void nck_clocked_init(nck_clocked_t *self) {
+    if (NCK_HAS_OPTIMAL) memset(self, 0, offsetof(nck_clocked_t, stream)); // which each run begins
 }
 
 nck_status_t nck_clocked_push(nck_clocked_t *self, const nck_terms_t *terms, const nck_seg_t *seg,

@@ -32,7 +32,10 @@ static double fastest(const nck_machine_t *machine) {
 
 void nck_smooth_init(nck_smooth_t *self, const nck_terms_t *terms) {
     const nck_machine_t *const machine = terms->machine;
-    memset(self, 0, sizeof *self);
+    memset(self, 0, offsetof(nck_smooth_t, raw.at)); // what the ring holds is read once written
+    memset(&self->divide, 0,
+           offsetof(nck_smooth_t, run) + sizeof self->run - offsetof(nck_smooth_t, divide));
+    nck_clocked_init(NCK_OPTIMAL_AT(self, clocked));
     self->terms = terms;
     memcpy(self->position_nm, machine->start_nm, sizeof self->position_nm);
     for (int x = 0; x < NCK_AXIS_MAX; x++) {

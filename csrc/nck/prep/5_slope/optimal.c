@@ -2,6 +2,7 @@
 // Room 5, slope: the jerk-limited planner on a clocked path.
 #include "nck/prep/5_slope/optimal.h"
 
+#include <stddef.h> // offsetof
 #include <string.h> // memset
 
 #include "nck/base/real.h"                  // nck_min nck_max nck_sqrt
@@ -49,7 +50,7 @@ enum { SLOWER_NODES = 48 };
 void nck_optimal_init(nck_optimal_t *self, const nck_terms_t *terms, nck_link_t *link,
                       const nck_plan_t *now, nck_plan_t *next) {
     if (!NCK_HAS_OPTIMAL) return;
-    memset(self, 0, sizeof *self);
+    memset(self, 0, offsetof(nck_optimal_t, motion)); // which each plan begins
     self->terms = terms;
     self->link = link;
     self->now = now;
