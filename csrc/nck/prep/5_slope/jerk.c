@@ -409,7 +409,7 @@ static nck_status_t relax(nck_jerk_t *self, const nck_pieces_t *pieces) {
 
 static nck_status_t plan(nck_jerk_t *self, const nck_pieces_t *pieces) {
     if (is_rest(self)) return finish_plan(self, pieces);
-    const nck_status_t status = nck_profile_step(&self->profile, NCK_JERK_STEP);
+    const nck_status_t status = nck_profile_step(&self->profile, NCK_JERK_NODES);
     return status == NCK_DONE ? finish_plan(self, pieces) : NCK_OK;
 }
 
