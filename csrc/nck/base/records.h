@@ -196,6 +196,7 @@ typedef struct nck_seg {
     double s_begin;      // length of all segs before [path mm], for reports
     double overlap;      // where it stops: when so much is left to go the next motion may have come
                          // as far, within the tolerance [path mm]; 0: it begins behind the rest
+    double pace;         // of a clocked path about b = (du/dt)² at its begin, as its curve was made
     double feed;         // wanted path speed [path mm/s]; rapid: 0
     double feed_scale;   // speed that the program means / path speed (1 unless rotary axes join in)
     double v_most;       // as fast as the spindle can follow [path mm/s]; 0: no such limit

@@ -37,14 +37,20 @@ static void set_terms(nck_timing_terms_t *out, const nck_terms_t *terms) {
     }
     out->a_least = machine->path.a_max;
     out->j_least = machine->path.j_max;
+    out->smooth_least = nck_min(out->j_least, out->a_least / out->tau);
+    out->longest = terms->knots_most;
     for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
         out->v[x] = axis->present ? axis->v_max : 1.0;
         out->a[x] = axis->present ? axis->a_max : 1.0;
         out->j[x] = axis->present ? axis->j_max : 1.0;
+        out->smooth[x] = nck_min(out->j[x], out->a[x] / out->tau);
         if (!axis->present) continue;
+        out->smooth_least = nck_min(out->smooth_least, out->smooth[x]);
+        out->v_most = nck_max(out->v_most, axis->v_max);
         out->a_least = nck_min(out->a_least, axis->a_max);
-        out->a_most = nck_max(out->a_most, axis->a_max);
+        const double by_jerk = nck_sqrt(2.0 * axis->v_max * axis->j_max);
+        out->a_reached = nck_max(out->a_reached, nck_min(axis->a_max, by_jerk));
         out->j_least = nck_min(out->j_least, axis->j_max);
     }
 }
@@ -134,6 +140,7 @@ static void take_piece(nck_clocked_t *self, nck_seg_t *seg) {
     seg->rapid = piece.words.rapid;
     seg->feed = seg->rapid ? 0.0 : piece.words.feed;
     seg->v_most = seg->rapid ? piece.words.feed : 0.0;
+    seg->pace = piece.pace;
     seg->feed_scale = piece.words.feed_scale;
     seg->spin = piece.words.spin;
 }

@@ -7,6 +7,7 @@
 #include "nck/base/path.h" // nck_path_second_part
 #include "nck/base/real.h" // nck_num_max nck_num_min …
 
+#define FOLLOWS 0.05  // of an interval that s may change by: more is a joint off the line
 #define PLENTY 8      // bins of the window may have as many samples as this one without its choice
 #define PARTS 8       // of a stretch, where its bound is not within P
 #define REST_BINS 16  // of an interval on the way to a rest, over which s is as good as straight
@@ -19,13 +20,23 @@ static void find_point(nck_stream_t *self, double s, double *point_out) {
     nck_track_point(&self->track, self->near, s, point_out);
 }
 
+// s at a knot; along a line the coefficient of a spline that has it there.
+static double coefficient_of(nck_stream_t *self, int knot) {
+    const double *const s = &self->clock.s[4 * knot];
+    self->near = nck_track_find(&self->track, self->near, s[0]);
+    const nck_track_element_t *const element = nck_track_at(&self->track, self->near);
+    const int is_inside = s[-4] >= element->s && s[4] <= element->s + element->length;
+    if (element->kind != NCK_SEG_LINE || !is_inside) return s[0];
+    return s[0] - (s[-4] - 2.0 * s[0] + s[4]) / 6.0;
+}
+
 void nck_sample_reference(nck_stream_t *self, int k) {
     const nck_timing_t *const clock = &self->clock;
     double *const point = self->point[k];
     memcpy(point, self->joint[k < 3 ? k : 2], sizeof self->point[k]); // axes that never move
     if (k < 3) return;
     if (clock->ends && k >= clock->knots) memcpy(point, self->track.end, sizeof self->point[k]);
-    else find_point(self, clock->s[4 * (k - 1)], point);
+    else find_point(self, coefficient_of(self, k - 1), point);
 }
 
 // The curve in an interval, from a point of the program near it: coefficients of w, w = 0 … 1, an
@@ -120,7 +131,7 @@ static nck_num place_of(const bin_t *bin, double s) {
 // Of the tolerance what the curve may be off at samples: less by what may lie between them [mm].
 static nck_num room_of(const nck_stream_t *self, nck_num tolerance) {
     const nck_num quarter = (nck_num)(0.25 * self->wish.terms.tau);
-    const nck_num lies_between = (nck_num)self->wish.terms.a_most * quarter * quarter / 8;
+    const nck_num lies_between = (nck_num)self->wish.terms.a_reached * quarter * quarter / 8;
     return nck_num_max(tolerance - ROUNDING - lies_between, tolerance / 2);
 }
 
@@ -238,12 +249,43 @@ static void fill_bin(nck_stream_t *self, const cubic_t *cubic, const bin_t *bin,
                                              / (nck_num)self->unit);
 }
 
+// Along a line the clock is the reference's: s at the interval's quarters as its control points have
+// it. So the curve is not off the program for how its knots follow each other.
+static void follow(nck_stream_t *self, int i) {
+    const nck_track_element_t *const line = nck_track_at(&self->track, self->near);
+    double *const s = &self->clock.s[NCK_FAIR_BINS * i];
+    const double *const before = i < 2 ? self->clock.s : s - 2 * NCK_FAIR_BINS;
+    const double *const behind = i + 3 > self->clock.knots ? s : s + 3 * NCK_FAIR_BINS;
+    double at[4];
+    if (line->kind != NCK_SEG_LINE || *before < line->s || behind == s
+        || *behind > line->s + line->length) return;
+    for (int k = 0; k < 4; k++) {
+        double way = 0.0;
+        for (int x = 0; x < self->track.axes; x++) {
+            way += (self->point[i + k][x] - line->start[x]) * (double)line->shape.way[x];
+        }
+        at[k] = line->s + way / line->length;
+    }
+    const double c[4] = {(at[0] + 4.0 * at[1] + at[2]) / 6.0, (at[2] - at[0]) / 2.0,
+                         (at[0] - 2.0 * at[1] + at[2]) / 2.0,
+                         (at[3] - at[0] + 3.0 * (at[1] - at[2])) / 6.0};
+    const double off = nck_max(nck_fabs(c[0] - s[0]),
+                               nck_fabs(c[0] + c[1] + c[2] + c[3] - s[NCK_FAIR_BINS]));
+    if (off > FOLLOWS * (s[NCK_FAIR_BINS] - s[0])) return;
+    for (int k = i == 0 ? 1 : 0; k <= NCK_FAIR_BINS; k++) {
+        const double w = 0.25 * (double)k;
+        s[k] = c[0] + w * (c[1] + w * (c[2] + w * c[3]));
+    }
+}
+
 void nck_sample_interval(nck_stream_t *self, int i) {
     const nck_timing_terms_t *const terms = &self->wish.terms;
-    const double per = 6.0 / (terms->j_least * terms->tau * terms->tau * terms->tau);
+    double per = 6.0 / (terms->smooth_least * terms->tau * terms->tau * terms->tau);
     cubic_t cubic;
     nck_num jerk[NCK_AXIS_MAX];
     set_interval(self, i, &cubic);
+    follow(self, i);
+    if (nck_timing_is_wide(&self->clock, &self->track, &self->near, i)) per = 0.0;
     for (int n = 0; n < self->moving; n++) jerk[n] = (nck_num)per * cubic.of[self->axis[n]][3];
     nck_fair_set_jerk(&self->work.fair, i, jerk);
     for (int k = 0; k < NCK_FAIR_BINS; k++) {

@@ -34,6 +34,7 @@
 #define POINTS 8   // reference points and nodes a call
 
 void nck_stream_begin(nck_stream_t *self, const nck_stream_wish_t *wish) {
+    static const int nothing[3] = {0, 0, 0};
     self->wish = *wish;
     self->phase = NCK_STREAM_GUESS;
     self->at = 0;
@@ -50,7 +51,7 @@ void nck_stream_begin(nck_stream_t *self, const nck_stream_wish_t *wish) {
     memset(self->joint, 0, sizeof self->joint);
     nck_track_begin(&self->track, wish->terms.axes, wish->terms.tau);
     nck_timing_begin(&self->clock, &self->wish.terms);
-    nck_timing_keep(&self->clock, &self->work.list, self->b, 0, 0, 0);
+    nck_timing_keep(&self->clock, &self->work.list, &self->track, self->b, nothing);
 }
 
 nck_status_t nck_stream_push(nck_stream_t *self, const nck_seg_t *seg, double tolerance) {
@@ -138,9 +139,9 @@ static void begin_fair(nck_stream_t *self) {
     task.ends = self->clock.ends;
     task.most = MOST;
     task.gap = (nck_num)self->wish.gap;
-    task.scale = (nck_num)(self->unit / (terms->j_least * tau * tau * tau));
+    task.scale = (nck_num)(self->unit / (terms->smooth_least * tau * tau * tau));
     for (int n = 0; n < self->moving; n++) {
-        const double share = terms->j_least / terms->j[self->axis[n]];
+        const double share = terms->smooth_least / terms->smooth[self->axis[n]];
         task.weight[n] = (nck_num)(share * share);
     }
     nck_fair_begin(&self->work.fair, &task);
@@ -197,8 +198,9 @@ static int to_commit(const nck_stream_t *self) {
 static nck_status_t slow_down(nck_stream_t *self) {
     for (int k = 0; k <= self->clock.knots; k++) self->b[k] = (nck_num)0.25;
     self->told.slowed++;
-    nck_timing_keep(&self->clock, &self->work.list, self->b, 0, self->clock.knots,
-                   self->clock.begins ? 0 : BLEND_SOON);
+    self->clock.even = 1;
+    const int span[3] = {0, self->clock.knots, self->clock.begins ? 0 : BLEND_SOON};
+    nck_timing_keep(&self->clock, &self->work.list, &self->track, self->b, span);
     return go(self, NCK_STREAM_CLOCK);
 }
 
@@ -270,7 +272,7 @@ static nck_status_t fail(nck_stream_t *self, double found) {
     if (!self->clock.begins) return halt(self);
     self->told.missed++;
     self->commit = self->given;
-    return go(self, self->clock.ends ? NCK_STREAM_GIVE : NCK_STREAM_NODES);
+    return go(self, NCK_STREAM_NODES);
 }
 
 // Hold an interval against the program.
@@ -284,7 +286,7 @@ static nck_status_t prove(nck_stream_t *self) {
     self->told.most = nck_max(self->told.most, found);
     if (!self->clock.ends) return go(self, NCK_STREAM_REST);
     self->commit = self->given;
-    return go(self, NCK_STREAM_GIVE);
+    return go(self, self->planned ? NCK_STREAM_GIVE : NCK_STREAM_NODES);
 }
 
 // s of the program at a knot and the two behind it.
@@ -336,6 +338,20 @@ static nck_status_t begin_motion(nck_stream_t *self) {
     return nck_motion_begin(&self->work.motion, &wish);
 }
 
+// How slow a clock is run where its knots are far apart, about: b at the most that the least
+// acceleration of an axis builds up from the next end of the element on.
+static double pace_of(nck_stream_t *self, int k) {
+    const nck_timing_terms_t *const terms = &self->wish.terms;
+    const double *const s = &self->clock.s[4 * k];
+    const double rate = (s[1] - s[0]) / (0.25 * terms->tau);
+    if (!nck_timing_is_wide(&self->clock, &self->track, &self->near, k)) return 1.0;
+    const nck_track_element_t *const element = nck_track_at(&self->track, self->near);
+    const double from = s[0] - element->s;
+    const double way = nck_min(from, element->length - from);
+    const double vv = nck_min(element->words.feed * element->words.feed, 2.0 * terms->a_least * way);
+    return nck_min(1.0, vv / (rate * rate));
+}
+
 // One node: r′ and r″ over the clock, and the cap of b by feed and axis speeds.
 static void set_node(nck_stream_t *self, int k) {
     const nck_timing_terms_t *const terms = &self->wish.terms;
@@ -357,8 +373,8 @@ static void set_node(nck_stream_t *self, int k) {
     double least = 1.0 / FASTEST;
     least = nck_max(least, slowness * slowness);
     if (feed > 0.0) least = nck_max(least, square / (feed * feed));
-    const nck_num cap_and_b[2] = {(nck_num)(1.0 / least),
-                                  (nck_num)(self->told.plans > 0 ? NEAR : FRESH)};
+    const double begin = self->told.plans > 0 ? NEAR : FRESH;
+    const nck_num cap_and_b[2] = {(nck_num)(1.0 / least), (nck_num)(begin * pace_of(self, k))};
     nck_motion_node(&self->work.motion, k, p1, p2, cap_and_b);
 }
 
@@ -375,16 +391,19 @@ static void turn(nck_stream_t *self, int from) {
     const int known = knots - OPEN > from + 2 ? knots - OPEN : from + 2;
     const int to = self->clock.ends || known > knots ? knots : known;
     const int blend = self->clock.begins && from == 0 ? 0 : (int)BLEND;
-    nck_timing_keep(&self->clock, &self->work.list, self->b, from, to, blend);
+    const int span[3] = {from, to, blend};
+    nck_timing_keep(&self->clock, &self->work.list, &self->track, self->b, span);
 }
 
 // 1 if the plan along the curve is its clock: another round would change nothing.
 static int is_steady(const nck_stream_t *self) {
     const int to = self->clock.knots < self->given + AHEAD ? self->clock.knots
                                                            : self->given + AHEAD;
+    uint32_t near = self->track.tail;
     nck_num sum = 0;
     for (int k = 0; k <= to; k++) {
-        const nck_num off = NCK_NUM_SQRT(self->b[k]) - 1;
+        const nck_num off =
+            nck_timing_factor(&self->clock, &self->track, &near, k, self->b[k]) - 1;
         sum += NCK_NUM_ABS(off);
     }
     return sum <= (nck_num)STEADY * (nck_num)(to + 1);
@@ -426,6 +445,7 @@ static nck_status_t next_window(nck_stream_t *self) {
     self->round = 0;
     self->tries = 0;
     self->share = SHARE;
+    self->clock.even = 0;
     return go(self, NCK_STREAM_GUESS);
 }
 
@@ -486,6 +506,7 @@ void nck_stream_take(nck_stream_t *self, nck_stream_piece_t *piece_out) {
     const nck_track_element_t *const element = nck_track_at(&self->track, self->near);
     memcpy(piece_out->line, element->line, sizeof piece_out->line);
     piece_out->block = element->block[0];
+    piece_out->pace = self->halts ? 1.0 : (double)self->b[i];
     set_words(self, piece_out->s[1], &piece_out->words);
     const int begins = self->clock.begins && i == 0;
     const int ends = (self->clock.ends || self->halts) && i + 1 == self->commit;

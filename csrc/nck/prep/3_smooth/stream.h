@@ -24,6 +24,7 @@ typedef struct nck_stream_piece {
     double s[2];       // of the program, at its begin and its end [path mm]
     uint32_t line[2];  // first and last source line of what its begin is in
     uint32_t block;    // the first block of it
+    double pace;       // (du/dt)² at its begin, about: 1, less where knots are far apart
     nck_track_words_t words; // of it
     uint8_t rests;     // bit 0: at its begin, bit 1: at its end
 } nck_stream_piece_t;

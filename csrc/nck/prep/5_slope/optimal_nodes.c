@@ -153,14 +153,15 @@ static double cap_of(const nck_optimal_t *self, const nck_num *first, const near
 
 // A pace to begin with, which may break limits by far: the last plan's, as far as that is not the
 // brake for its window's end; the clock's own behind it, with a brake for this window's end.
-static double pace_guess(nck_optimal_t *self, uint32_t k) {
+static double pace_guess(nck_optimal_t *self, const nck_seg_t *seg, uint32_t k) {
     const nck_optimal_pace_t *const work = nck_optimal_work(self);
     const nck_optimal_pace_t *const now = nck_optimal_now(self);
     const uint32_t at = work->first - now->first + k;
+    if (self->again > 0) return work->b[k];
     if (nck_optimal_goes_on(self) && k < NCK_OPTIMAL_GIVEN) return now->b[at];
     if (k == work->n && !work->ends) return 0.0;
     const double x = (double)(work->n - k) / BRAKE_NODES;
-    double b = GUESS;
+    double b = GUESS * seg->pace;
     if (!work->ends && x < 1.0) b *= x * nck_sqrt(nck_sqrt(x));
     if (nck_optimal_goes_on(self) && at <= now->top) b = AGAIN * now->b[at];
     if (nck_optimal_slows(self)) b = now->b[at];
@@ -225,7 +226,7 @@ void nck_optimal_fill(nck_optimal_t *self, const nck_pieces_t *pieces, uint32_t 
     if (k + 1 == work->n && !work->ends) {
         cap_and_b[0] = cap_at_end(self, seg, cap_and_b[0]);
     }
-    cap_and_b[1] = (nck_num)pace_guess(self, k);
+    cap_and_b[1] = (nck_num)pace_guess(self, seg, k);
     nck_motion_node(&self->motion, (int)k, first, second, cap_and_b);
 }
 
