@@ -7,6 +7,7 @@ has no equal for is told.
 
 import re
 from decimal import Decimal
+from pathlib import Path
 
 from pycnc import errors
 from pycnc.machine import foreign, of_mills, of_printers
@@ -147,7 +148,10 @@ def read(text, file, folder=None, units=None, deviation=None):
             f"{file}: is no configuration that can be imported: {known}", id="import"
         )
     parse, fill = _READERS[kind]
-    source = Source(file, parse(text, folder), kind, units, deviation)
+    place = None if folder is None else Path(folder, file)
+    source = Source(file, parse(text, place), kind, units, deviation)
+    if source.draft.problems:  # a part of it is not there
+        return source.draft
     letters = fill(source)
     if not letters and not source.draft.problems:
         source.draft.problems.append(("", "no axis found"))

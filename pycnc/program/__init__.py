@@ -136,8 +136,8 @@ class Program:
         placed = zero.place(self.text, machine)
         if placed.message:
             self.diagnostics.add(
-                Diagnostic(self.file, 0, 0, placed.identity, placed.severity, placed.message,
-                           placed.remedy)
+                Diagnostic(self.file, placed.line, 0, placed.identity, placed.severity,
+                           placed.message, placed.remedy, self.lines[placed.line])
             )  # fmt: skip
         return placed.machine
 
@@ -214,6 +214,11 @@ class Program:
         """
         rows = moves.rows_of(sequence)
         return cls(kernel.Blocks(rows.tobytes()), Machine.load(machine), file="<moves>")
+
+    @property
+    def end_line(self):
+        """The last line that is executed: the one with M2 or M30, else the text's last one."""
+        return self._end or len(self.lines) or self.block_count
 
     @property
     def sha256(self):

@@ -377,22 +377,6 @@ def test_two_joints_of_an_axis_do_not_move_the_next():
     assert data["axis"]["z"]["v_max_mm_s"] == 50.8
 
 
-@pytest.mark.parametrize(
-    ("files", "words"),
-    [
-        ({"a.cfg": "[include b.cfg]\n", "b.cfg": "[include a.cfg]\n"}, "one includes itself"),
-        ({"a.cfg": f"[include no.cfg]\n{KLIPPER}"}, "line 1: [include no.cfg]: no.cfg: No such"),
-        ({"a.cfg": f"[include /dev/zero]\n{KLIPPER}"}, "no file"),
-    ],
-)
-def test_what_cannot_be_included_is_refused(files, words, tmp_path):
-    for name, text in files.items():
-        (tmp_path / name).write_text(text)
-    result = pycnc("machine", "import", tmp_path / "a.cfg")
-    assert (result.code, result.out) == (2, "")
-    assert words in result.err
-
-
 def test_linuxcnc_goes_on_without_what_cannot_be_included(tmp_path):
     (tmp_path / "a.ini").write_text(f"#INCLUDE no.inc\n{LINUXCNC}#INCLUDE b.inc\n")
     (tmp_path / "b.inc").write_text("#INCLUDE c.inc\n[AXIS_Z]\nMAX_LIMIT = 1\n")
