@@ -85,10 +85,15 @@ def words_of(identity, name, count):
 
 def heard(findings, machine):
     """Return what holds of the kernel's findings (dtype ``nck_diagnostic_t``) with a machine's
-    control: of a printer's planner the limits that a program sets are in force, and no note."""
-    if machine.settings.control.kind not in PRINTERS:
+    control: of a printer's planner the limits that a program sets are in force, and no note;
+    Klipper takes no feed of 0 or less, and ends the print there."""
+    kind = machine.settings.control.kind
+    if kind not in PRINTERS:
         return findings
-    return findings[findings["code"] != lib.NCK_NOTE_LIMITS]
+    kept = findings[findings["code"] != lib.NCK_NOTE_LIMITS]
+    if kind == "klipper":
+        kept["code"][kept["code"] == lib.NCK_NOTE_FEED_KEPT] = lib.NCK_E_NUMBER_RANGE
+    return kept
 
 
 def changes(text, machine):

@@ -84,6 +84,10 @@ nck_status_t nck_decode_feed(nck_decode_t *self, nck_block_t *out) {
     if (self->lathe && self->machine->dialect.feed == NCK_FEED_START_OPEN) {
         nck_decode_assume(self, NCK_NOTE_FEED_MODE);
     }
+    if (value <= 0.0 && self->tongue == NCK_TONGUE_MARLIN) {
+        nck_decode_note_word(self, NCK_NOTE_FEED_KEPT, 'F', value);
+        return NCK_EMPTY;
+    }
     if (value < 0.0 || feed > value_max) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'F', value, value_max / unit);
     }
