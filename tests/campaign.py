@@ -32,6 +32,7 @@ printed before it. The exit status is the number of parts that found something.
     linuxcnc    10 000 random calls beside LinuxCNC's own planner, 2 500 random scripts of other
                 kinds in the stand-in, 20 operators and lathe programs in a live LinuxCNC
     imports     4 500 random configurations of other controls
+    strangers   3 000 people with a machine, a program and a few commands, many of them wrong
 """
 
 import argparse
@@ -92,6 +93,7 @@ PARTS = {
                  "--count 500 --seed {seed}",
                  "tests/linuxcnc/lathe_live.py", "tests/linuxcnc/operators.py {seed} 20"],
     "imports": ["tests/machine/configurations.py 1500 {seed}"],
+    "strangers": ["tests/cli/strangers.py 3000 {seed}"],
 }  # fmt: skip
 
 

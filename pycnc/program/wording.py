@@ -307,6 +307,10 @@ WORDING = {
         "M201 to M205 change limits of a printer's firmware: here the machine's hold",
         "set them in the machine file, as in --set axis.x.a_max_mm_s2=1000",
     ),
+    "assumed-length": (
+        "the machine file has no tools: 0 is taken for the length of tool {value:.0f}, and of all",
+        "to say it: [tool.{value:.0f}] in the machine file, or a tool table: --tools tool.tbl",
+    ),
     "feed-kept": (
         "{found} is no feed: Marlin does not hear it, and the one before stays",
         "say a feed, or leave F out: Klipper ends a print there",

@@ -44,8 +44,23 @@ static void take_length(nck_decode_t *self, const nck_tool_t *tool) {
     nck_decode_origin(self);
 }
 
+// Is a tool's offset in the table? NCK_EMPTY: it has none, as no tool has where there is no table.
+static nck_status_t find_length(nck_decode_t *self, int64_t number, nck_tool_t *tool_out) {
+    const int has_h = (self->words.letters & NCK_LETTER('H')) != 0;
+    if (number == 0) return NCK_EMPTY;
+    if (nck_table_find(self, (uint32_t)number, tool_out)) return NCK_OK;
+    if (self->machine->tool_count == 0) {
+        nck_decode_note_word(self, NCK_NOTE_LENGTH, 'H', (double)number);
+        return NCK_EMPTY;
+    }
+    if (has_h) return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'H', (double)number, 0.0);
+    return nck_decode_fail_step(self, NCK_E_TOOL_UNKNOWN, NCK_STEP_LENGTH, 'H', (double)number,
+                                0.0);
+}
+
 // G43 with H: the table's offset; without: of the tool in the spindle, but Fanuc's counts the last
-// H; H0, no tool and G49: none. G43.2 with H adds one.
+// H; H0, no tool and G49: none, and none where the machine has no table at all, which is noted.
+// G43.2 with H adds one.
 nck_status_t nck_decode_length(nck_decode_t *self, nck_block_t *out) {
     const nck_words_t *const words = &self->words;
     const int has_h = (words->letters & NCK_LETTER('H')) != 0;
@@ -55,16 +70,11 @@ nck_status_t nck_decode_length(nck_decode_t *self, nck_block_t *out) {
     if (code == 431) return set_length(self);
     const int needs_h = code == 432 || (code == 430 && self->tongue == NCK_TONGUE_FANUC);
     if (needs_h && !has_h) return fail_length(self);
-    const nck_status_t status = nck_decode_whole(self, 'H', NCK_DECODE_VALUE_MAX, number, &number);
-    if (status != NCK_OK) return status;
+    nck_status_t status = nck_decode_whole(self, 'H', NCK_DECODE_VALUE_MAX, number, &number);
     nck_tool_t tool;
-    const int is_there = nck_table_find(self, (uint32_t)number, &tool);
-    if (number != 0 && !is_there) {
-        if (has_h) return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'H', (double)number, 0.0);
-        return nck_decode_fail_step(self, NCK_E_TOOL_UNKNOWN, NCK_STEP_LENGTH, 'H', (double)number,
-                                    0.0);
-    }
-    take_length(self, number != 0 ? &tool : NULL);
+    if (status == NCK_OK) status = find_length(self, number, &tool);
+    if (status != NCK_OK && status != NCK_EMPTY) return status;
+    take_length(self, status == NCK_OK ? &tool : NULL);
     return NCK_EMPTY;
 }
 
