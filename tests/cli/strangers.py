@@ -38,12 +38,13 @@ AWAY = 0.01  # s, which a doubled acceleration may cost besides
 
 
 def damaged(pen, data):
-    """Return the bytes of a configuration with something wrong, as hands or disks make it."""
+    """Return (bytes, whether it is one number) of a configuration that hands or disks spoilt."""
     kind = pen.randrange(6)
     if kind == 0:  # a number that is none, or an odd one
         found = list(re.finditer(rb"(?<=[=:XYZEPJ ])-?\d+\.?\d*(?=\s)", data))
         for match in pen.sample(found, min(len(found), pen.randrange(1, 3)))[:1]:
-            return data[: match.start()] + pen.choice(ODD).encode() + data[match.end() :]
+            odd = pen.choice(ODD).encode()
+            return data[: match.start()] + odd + data[match.end() :], True
     rows = data.split(b"\n")
     at = pen.randrange(len(rows))
     if kind == 1:
@@ -54,7 +55,7 @@ def damaged(pen, data):
         rows = rows[:at]
     elif kind == 4:
         rows.insert(at, bytes(pen.randrange(256) for _ in range(pen.randrange(1, 9))))
-    return b"\n".join(rows)
+    return b"\n".join(rows), False
 
 
 class Stranger:
@@ -80,12 +81,17 @@ class Stranger:
             return name, name
         kind = self.pen.choice(configurations.KINDS)
         case = getattr(configurations, kind)(seed)
+        numbers = others = 0
         for name, data in case.files.items():
-            whole = self.pen.random() < 0.5
-            (self.folder / name).write_bytes(data if whole else damaged(self.pen, data))
+            if self.pen.random() < 0.5:
+                data, is_number = damaged(self.pen, data)
+                numbers, others = numbers + is_number, others + (not is_number)
+            (self.folder / name).write_bytes(data)
         made, first = self.folder / "made.toml", self.folder / next(iter(case.files))
         more = ["--units", case.units] if case.units else []
         told = self.call("machine", "import", first, "-o", made, *more)
+        count = sum("error[" in line for line in told.err.splitlines())
+        self._must(others or count <= numbers, f"{count} errors for {numbers}", told)
         if told.code == 0:
             shown = self.call("machine", "validate", made)
             self._must(shown.code == 0, "an import that is no machine file", shown)
