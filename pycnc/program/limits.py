@@ -146,6 +146,8 @@ def _of_marlin(code, words):
             yield from ((value, said[letter]) for letter in letters if said.get(letter, 0) > 0)
         return
     for letter, to in said.items():
+        if code != b"205" and to == 0:  # nothing would move any more
+            continue
         if letter in "XYZABCE":
             axis = AXES.index("u" if letter == "E" else letter.lower())
             yield _BY_AXIS[code] + axis, to

@@ -9,6 +9,7 @@ import pycnc
 from pycnc import stages
 from pycnc.kernel.bind import lib, status_id
 from pycnc.machine import Machine
+from pycnc.planning.plan import Plan
 
 HEAD = "M82\nG21 G90 F600\nG92 E0\n"
 
@@ -117,3 +118,12 @@ def test_a_feed_of_nothing_is_not_heard_but_ends_a_print_of_klipper(number, draw
     errors = [each for each in pycnc.load(text, "printer_klipper").diagnostics
               if each.severity == "error"]  # fmt: skip
     assert [each.line for each in errors] == wrong[:1]
+
+
+@pytest.mark.parametrize("words", ["M203 X0", "M201 Y0 X0", "M203 E0", "M204 S0", "M220 S0"])
+def test_a_limit_of_nothing_changes_nothing(words):
+    text = "G21\nG90\n{}\nG1 X30 Y20 E1 F3000\nG1 X0\n"
+    both = (pycnc.load(text.format(each), "printer_marlin") for each in ("M107", words))
+    plain, told = (Plan(program, keep=False).why() for program in both)
+    assert told.time_s == plain.time_s > 0
+    assert [row["lost_s"] for row in told.causes] == [row["lost_s"] for row in plain.causes]
