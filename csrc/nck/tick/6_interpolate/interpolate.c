@@ -405,6 +405,15 @@ static void own_time(nck_interpolate_t *self) {
     if (by_clock) nck_ease_rest(clock, moves);
 }
 
+// An abort does not wait for a dwell's end: the tool rests already, and stays.
+static int leaves_dwell(nck_interpolate_t *self) {
+    if (!nck_fence_load(&self->sync.asked) || self->cell.length > 0.0) return 0;
+    if (seg_at(self, self->cell.seg)->kind != NCK_SEG_DWELL) return 0;
+    self->brakes = NCK_TICK_HOLD;
+    nck_fence_store(&self->clock.state, NCK_CLOCK_STANDS);
+    return 1;
+}
+
 // One period on, what rides apart.
 static const nck_pose_t *tick(nck_interpolate_t *self) {
     nck_sync_turn(&self->sync, self->machine, self->pose.spindle_rpm);
@@ -416,7 +425,7 @@ static const nck_pose_t *tick(nck_interpolate_t *self) {
     }
     if (!self->has_cell && (self->brakes || !fetch(self))) return rest(self);
     if (cuts_thread(self)) return follow_spindle(self, seg_at(self, self->cell.seg));
-    hear(self);
+    if (!leaves_dwell(self)) hear(self);
     if (self->clock.state == NCK_CLOCK_STANDS) {
         pass_at(self, 0.0); // where it is, to the bit: time does not count
         return &self->pose;

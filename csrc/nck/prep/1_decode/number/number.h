@@ -133,7 +133,8 @@ nck_status_t nck_decode_beyond(nck_decode_t *self, unsigned axis, double at_nm, 
 nck_status_t nck_decode_steps(nck_decode_t *self, unsigned axis, int64_t step_nm, int64_t count,
                               int64_t *at_nm);
 
-// Is a machine position within the travel of its axis? NCK_E_TRAVEL. Cost: constant.
+// Is a machine position within the travel of its axis, or no further outside than where the axis is
+// now? NCK_E_TRAVEL. Cost: constant.
 nck_status_t nck_decode_travel(nck_decode_t *self, unsigned axis, int64_t position_nm);
 
 // The scales of axis words, after a change of units or of diameter mode. Cost: constant.
