@@ -85,11 +85,10 @@ nck_status_t nck_decode_steps(nck_decode_t *self, unsigned axis, int64_t step_nm
 
 nck_status_t nck_decode_travel(nck_decode_t *self, unsigned axis, int64_t position_nm) {
     const nck_axis_t *const travel = &self->machine->axis[axis];
+    if (position_nm >= travel->min_nm && position_nm <= travel->max_nm) return NCK_OK;
     const int64_t at_nm = self->place.position_nm[axis]; // from outside it may come nearer
-    const int64_t least_nm = at_nm < travel->min_nm ? at_nm : travel->min_nm;
-    const int64_t most_nm = at_nm > travel->max_nm ? at_nm : travel->max_nm;
-    if (position_nm >= least_nm && position_nm <= most_nm) return NCK_OK;
-    if (self->machine->roams) return NCK_OK;
+    const int nearer = position_nm < travel->min_nm ? position_nm >= at_nm : position_nm <= at_nm;
+    if (self->machine->roams || nearer) return NCK_OK;
     const int64_t limit_nm = position_nm < travel->min_nm ? travel->min_nm : travel->max_nm;
     return nck_decode_fail(self, NCK_E_TRAVEL, column_of_axis(self, axis), nck_decode_letter(axis),
                            shown(self, axis, position_nm), shown(self, axis, limit_nm));
