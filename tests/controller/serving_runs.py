@@ -198,7 +198,7 @@ def operate(talk, draw, chances=OFTEN):
 
 def stream(lines, draw, talk):
     """Send lines as many at once as the ring holds; return the answers."""
-    lengths, answers, at, quiet = [], [], 0, 0
+    lengths, answers, at, quiet, moving = [], [], 0, 0, 0
     while len(answers) < len(lines):
         while at < len(lines) and sum(lengths) + len(lines[at]) + 1 <= RING:
             data = lines[at].encode() + b"\n"
@@ -208,10 +208,11 @@ def stream(lines, draw, talk):
             at += 1
         operate(talk, draw)
         talk.wait(draw.choice((1, 2, 5, 20, 60)))
-        before = len(answers)
+        before, moved = len(answers), moving
         answers += _answers(talk)
         del lengths[: len(answers) - before]
-        quiet = 0 if len(answers) > before else quiet + 1
+        moving = talk.session.moving
+        quiet = 0 if len(answers) > before or moving > moved else quiet + 1
         if quiet > 500:
             talk.send(RESUME)
         if quiet > 5000:

@@ -112,6 +112,18 @@ def test_who_comes_back_at_once_is_let_in_and_a_second_one_is_not(served):
         read_until(client, b">")
 
 
+def test_who_pours_a_file_into_the_port_is_heard_behind_it(served):
+    with socket.create_connection(("127.0.0.1", served)) as client:
+        read_until(client, b"Grbl 1.1f")
+        client.sendall(b"G21G91G1X1F60\n" * 100_000 + b"?!")
+        assert b"<Run|" in read_until(client, b">")
+        time.sleep(0.5)
+        client.sendall(b"?")
+        assert b"<Hold:0|" in read_until(client, b">")
+        client.sendall(b"\x18")
+        read_until(client, b"Grbl 1.1f")
+
+
 def test_a_pseudo_terminal_is_a_serial_port(tmp_path):
     link = tmp_path / "port"
     line = serving.Pty(str(link))
