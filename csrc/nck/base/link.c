@@ -48,9 +48,9 @@ uint32_t nck_link_cell_room(const nck_link_t *self) {
 
 // What the seg ring has written over is done, however far the tick is: marks depend on the path
 // alone.
-void nck_link_push_mark(nck_link_t *self, uint32_t line, double s) {
+void nck_link_push_mark(nck_link_t *self, const nck_mark_t *mark) {
     const int goes_round = self->seg_head >= NCK_SEG_MAX;
-    nck_marks_push(&self->marks, goes_round ? nck_link_seg_place(self)->mark : 0, line, s);
+    nck_marks_push(&self->marks, goes_round ? nck_link_seg_place(self)->marks.from : 0, mark);
 }
 
 nck_status_t nck_link_push_seg(nck_link_t *self, const nck_seg_t *seg) {

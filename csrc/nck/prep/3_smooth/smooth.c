@@ -127,6 +127,7 @@ static nck_status_t make_motion(const nck_smooth_t *self, const nck_block_t *blo
 // The exact seg of a block that moves or rests.
 static nck_status_t make_seg(const nck_smooth_t *self, const nck_block_t *block, nck_seg_t *seg) {
     seg->line = block->line;
+    seg->modes = block->modes;
     seg->feed_scale = 1.0;
     set_spin(seg, block);
     memcpy(seg->start, self->position, sizeof seg->start);
