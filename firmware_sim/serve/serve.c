@@ -29,6 +29,7 @@ void serve_tick(serve_t *self, const nck_pose_t *pose) {
     serve_seen_t *const seen = &self->seen[next];
     memcpy(seen->at, pose->axis, sizeof seen->at);
     seen->speed = pose->v * 60.0 / pose->feed_scale;
+    seen->feed = pose->feed * 60.0 / pose->feed_scale;
     seen->line = pose->line;
     seen->state = pose->state;
     seen->moves = pose->v > 0.0 || pose->state == NCK_TICK_MOVE;
@@ -37,23 +38,20 @@ void serve_tick(serve_t *self, const nck_pose_t *pose) {
     nck_fence_store(&self->tick.ticks, self->tick.ticks + 1);
 }
 
+// M3, M4, M5; M7, M8, M9.
 static void switch_code(serve_t *self, uint32_t code) {
     const uint32_t coolant = self->tick.coolant;
-    switch (code) {
-    case 3: self->tick.turns = 1; break;
-    case 4: self->tick.turns = 2; break;
-    case 5: self->tick.turns = 0; break;
-    case 7: nck_fence_store(&self->tick.coolant, coolant | 1); break;
-    case 8: nck_fence_store(&self->tick.coolant, coolant | 2); break;
-    case 9: nck_fence_store(&self->tick.coolant, 0); break;
-    default: break;
+    if (code >= 3 && code <= 5) self->tick.turns = code == 5 ? 0 : code - 2;
+    if (code >= 7 && code <= 9) {
+        nck_fence_store(&self->tick.coolant, code == 9 ? 0 : coolant | (code - 6));
     }
 }
 
 void serve_output(void *user, const nck_output_t *output) {
     serve_t *const self = user;
-    if (output->kind == NCK_OUTPUT_SPINDLE_SPEED) self->tick.rpm = (uint32_t)output->value;
-    if (output->kind == NCK_OUTPUT_M) switch_code(self, (uint32_t)output->value);
+    const uint32_t value = (uint32_t)output->value;
+    if (output->kind == NCK_OUTPUT_SPINDLE_SPEED) self->tick.rpm = value;
+    if (output->kind == NCK_OUTPUT_M) switch_code(self, value);
 }
 
 uint32_t serve_spindle(const serve_t *self) { return self->spindle; }
@@ -133,21 +131,18 @@ static void resume(serve_t *self) {
     if (rests && self->phase != SERVE_BRAKES) nck_resume(self->nck);
 }
 
-static uint8_t stepped(uint8_t percent, int by) {
-    enum { LEAST = 10, MOST = 200 };
-    const int next = percent + by;
-    return (uint8_t)(next < LEAST ? LEAST : next > MOST ? MOST : next);
-}
-
-static const int8_t steps[] = {10, -10, 1, -1};
-
-static void change_override(serve_t *self, uint8_t byte) {
-    static const uint8_t rapids[] = {100, 50, 25};
-    if (byte == 0x90) self->feed = WHOLE;
-    else if (byte <= 0x94) self->feed = stepped(self->feed, steps[byte - 0x91]);
-    else if (byte <= 0x97) self->rapid = rapids[byte - 0x95];
-    else if (byte == 0x99) self->spindle = WHOLE;
-    else if (byte >= 0x9a) self->spindle = stepped(self->spindle, steps[byte - 0x9a]);
+// 0x90 … 0x94 the feed, 0x95 … 0x97 rapids, 0x99 … 0x9d the spindle.
+static void change_override(serve_t *self, uint32_t code) {
+    enum { LEAST = 10, MOST = 200, RAPIDS = 5, NONE = 8, SPINDLE = 9 };
+    static const int8_t steps[] = {0, 10, -10, 1, -1};
+    uint8_t *const percent = code < RAPIDS ? &self->feed : &self->spindle;
+    if (code >= RAPIDS && code < NONE) {
+        self->rapid = (uint8_t)(WHOLE >> (code - RAPIDS));
+    } else if (code != NONE) {
+        const int step = steps[code < RAPIDS ? code : code - SPINDLE];
+        const int next = step == 0 ? WHOLE : *percent + step;
+        *percent = (uint8_t)(next < LEAST ? LEAST : next > MOST ? MOST : next);
+    }
     self->ov_in = 0;
     override(self);
 }
@@ -158,11 +153,12 @@ static void obey(serve_t *self, uint8_t byte) {
     case '!': serve_hold(self, 0); break;
     case '~': resume(self); break;
     case 0x18: reset(self); break;
+    case 0x83: serve_say_executed(self); break;
     case 0x84: serve_hold(self, 1); break;
     case 0x85: cancel_jog(self); break;
     case 0xa0: self->turned ^= 2; break;
     case 0xa1: self->turned ^= 1; break;
-    default: change_override(self, byte); break;
+    default: change_override(self, byte - 0x90u); break;
     }
 }
 
@@ -187,8 +183,7 @@ static void clear_line(serve_t *self) {
 // The line in work is over.
 void serve_answer(serve_t *self) {
     if (self->line.error != 0 && !self->line.own) {
-        serve_say_code(self, "error:", self->line.error);
-        serve_say(self, "\r\n");
+        serve_say_two(self, "error:#\r\n", self->line.error, 0);
     } else if (self->then == SERVE_THEN_BANNER) {
         serve_forget(self);
         serve_say(self, banner);
@@ -236,7 +231,8 @@ static void give_own(serve_t *self, const char *text, uint32_t size, serve_then_
     clear_line(self);
     memcpy(self->text, text, size);
     self->line.size = size;
-    self->line.own = self->line.settles = 1;
+    self->line.own = 1;
+    self->line.does = SERVE_LATE;
     self->phase = SERVE_GIVES;
     self->then = (uint8_t)then;
 }
@@ -302,12 +298,18 @@ static int read(serve_t *self, nck_status_t status) {
     return 1;
 }
 
+static int ends(const serve_t *self) { return (self->line.does & SERVE_ENDS) != 0; }
+
 // Returns 1 if the kernel has taken it.
 static int give(serve_t *self) {
     size_t used = 0;
     const int goes = self->line.probes ? serve_beside(self, SERVE_AT_PROBE, 0.0) : 1;
     if (goes == 2) serve_answer(self);
     if (goes != 1) return 0;
+    if ((self->line.does & SERVE_SHIFTS) && !serve_is_idle(self)) {
+        nck_flush(self->nck);
+        return 0;
+    }
     if (self->line.jogs && nck_leave_nothing(self->nck) != NCK_OK) return 0;
     nck_name_line(self->nck, self->line.name);
     (void)nck_push(self->nck, self->text, self->line.size, &used);
@@ -322,7 +324,7 @@ static int take(serve_t *self) {
     nck_queue_t queue;
     nck_queue(self->nck, &queue);
     if (self->line.error == 0 && queue.text != 0) return 0;
-    if (self->line.error != 0 || !(self->line.settles || self->line.ends)) {
+    if (self->line.error != 0 || !(self->line.does & (SERVE_LATE | SERVE_ENDS))) {
         if (self->line.jogs && self->line.error == 0) {
             self->jogging = 1;
             override(self);
@@ -330,7 +332,7 @@ static int take(serve_t *self) {
         serve_answer(self);
         return 1;
     }
-    if (!self->line.ends) nck_flush(self->nck);
+    if (!ends(self)) nck_flush(self->nck);
     self->phase = SERVE_SETTLES;
     return 1;
 }
@@ -338,7 +340,7 @@ static int take(serve_t *self) {
 static int settle(serve_t *self, nck_status_t status) {
     if (!serve_is_idle(self)) return 0;
     if (self->line.probes) (void)serve_beside(self, SERVE_AT_PROBED, 0.0);
-    if (!self->line.ends) {
+    if (!ends(self)) {
         serve_answer(self);
         return 1;
     }
@@ -377,7 +379,7 @@ static int revive(serve_t *self) {
 static int has_ended(const serve_t *self) {
     nck_queue_t queue;
     nck_queue(self->nck, &queue);
-    if (!self->line.ends) return 0;
+    if (!ends(self)) return 0;
     return self->phase == SERVE_SETTLES || (self->phase == SERVE_TAKES && queue.text == 0);
 }
 
