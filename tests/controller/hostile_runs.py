@@ -155,10 +155,11 @@ class Storm:
         else:
             raise Broken(f"no report in {REPORT_MOST} ms")
         text = next(said for said in reversed(self.trace) if str(said).startswith("<"))
-        if "MPos" in text and moved == self.session.moving and "$13" not in str(self.trace):
-            at = [float(word) for word in re.search(r"MPos:([-.,\d]+)", text)[1].split(",")]
-            for told, nm in zip(at, self.session.joints_nm, strict=True):
-                if abs(told * 1e6 - nm) > 501:
+        if "MPos" in text and moved == self.session.moving:
+            words = re.search(r"MPos:([-.,\d]+)", text)[1].split(",")
+            unit, most = (25.4e6, 1271) if "." == words[0][-5] else (1e6, 501)  # $13=1: inches
+            for told, nm in zip(words, self.session.joints_nm, strict=True):
+                if abs(float(told) * unit - nm) > most:
                     raise Broken(f"{text} at {self.session.joints_nm}")
         return REPORT.fullmatch(text)[1]
 

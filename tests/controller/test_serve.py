@@ -40,6 +40,18 @@ def test_a_hold_brakes_within_15_ms(seed):
     serving_runs.brakes(seed)
 
 
+@pytest.mark.sample(4, quick=1)
+@pytest.mark.parametrize("seed", range(1, 101))
+def test_the_modes_at_the_tool_are_what_its_line_has_left(seed):
+    serving_runs.modes(seed)
+
+
+@pytest.mark.sample(4, quick=1)
+@pytest.mark.parametrize("seed", range(1, 101))
+def test_a_reset_brakes_at_any_moment_and_keeps_the_place(seed):
+    serving_runs.resets(seed)
+
+
 @pytest.mark.sample(10, quick=3)
 @pytest.mark.parametrize("seed", range(1, 501))
 def test_noise_breaks_nothing(seed):
