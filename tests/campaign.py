@@ -21,7 +21,7 @@ printed before it. The exit status is the number of parts that found something.
     scripts     24 000 random scripts of the front door, 100 000 programs; 20 000 sessions with
                 wrong lines in them; 4 000 whose modes at the tool are known
     serve       in grbl's protocol 500 random streams, 20 000 jogs cancelled, 2 000 times noise,
-                3 000 senders that mean no good
+                3 000 senders that mean no good, 5 000 with doors and holds at any moment
     senders     CNCjs and bCNC from their packages, in front of a served machine
     cycles      4 000 programs with cycles within a tolerance: limits of every axis
     threads     2 000 programs of each family with threads and taps; 20 000 spindles that fail
@@ -77,6 +77,7 @@ PARTS = {
               "tests/controller/serving_runs.py modes 500 {seed}",
               "tests/controller/serving_runs.py resets 1000 {seed}",
               "tests/controller/hostile_runs.py storms 3000 {seed}",
+              "tests/controller/hostile_runs.py doors 5000 {seed}",
               "tests/controller/serving_runs.py brakes 1000 {seed}",
               "tests/controller/streaming.py surf_webgcode_46k.ngc jerk {seed}",
               "tests/controller/streaming.py surf_webgcode_46k.ngc optimal {seed}"],

@@ -86,7 +86,6 @@ static uint8_t set(serve_t *self) {
 static uint8_t check(serve_t *self) {
     if (!self->checks && !serve_is_idle(self)) return SERVE_E_BUSY;
     self->checks = !self->checks;
-    nck_check_only(self->nck, self->checks);
     serve_say(self, self->checks ? "[MSG:Enabled]\r\n" : "[MSG:Disabled]\r\nok\r\n");
     if (!self->checks) serve_brake(self, SERVE_THEN_BANNER);
     return 0;

@@ -91,7 +91,6 @@ static void reset(serve_t *self) {
     nck_fence_store(&self->in.tail, nck_fence_load(&self->in.head));
     nck_fence_store(&self->in.lost, 0);
     memset(&self->line, 0, sizeof self->line);
-    nck_check_only(self->nck, 0);
     self->held = self->door = self->checks = self->sleeps = self->waits = self->turned = 0;
     self->feed = self->rapid = self->spindle = WHOLE;
     serve_brake(self, SERVE_THEN_BANNER);
@@ -118,9 +117,7 @@ void serve_hold(serve_t *self, int door) {
     if (self->checks || self->locked || self->sleeps) return;
     if (door) self->door = 1;
     cancel_jog(self);
-    if (jogs || self->phase == SERVE_BRAKES) return;
-    self->held = 1;
-    nck_hold(self->nck);
+    if (!jogs && self->phase != SERVE_BRAKES) self->held = 1;
 }
 
 static void resume(serve_t *self) {
@@ -298,7 +295,7 @@ static int read(serve_t *self, nck_status_t status) {
     return 1;
 }
 
-static int ends(const serve_t *self) { return (self->line.does & SERVE_ENDS) != 0; }
+static int ends_program(const serve_t *self) { return (self->line.does & SERVE_ENDS) != 0; }
 
 // Returns 1 if the kernel has taken it.
 static int give(serve_t *self) {
@@ -332,7 +329,7 @@ static int take(serve_t *self) {
         serve_answer(self);
         return 1;
     }
-    if (!ends(self)) nck_flush(self->nck);
+    if (!ends_program(self)) nck_flush(self->nck);
     self->phase = SERVE_SETTLES;
     return 1;
 }
@@ -340,12 +337,11 @@ static int take(serve_t *self) {
 static int settle(serve_t *self, nck_status_t status) {
     if (!serve_is_idle(self)) return 0;
     if (self->line.probes) (void)serve_beside(self, SERVE_AT_PROBED, 0.0);
-    if (!ends(self)) {
+    if (!ends_program(self)) {
         serve_answer(self);
         return 1;
     }
     if (status != NCK_DONE || nck_begin(self->nck) != NCK_OK) return 0;
-    nck_check_only(self->nck, self->checks);
     give_own(self, at_end, sizeof at_end - 1, self->line.own ? SERVE_THEN_OK : SERVE_THEN_ENDED);
     return 1;
 }
@@ -353,7 +349,8 @@ static int settle(serve_t *self, nck_status_t status) {
 static int end_brake(serve_t *self) {
     const int resets = self->then == SERVE_THEN_BANNER;
     if ((resets ? nck_begin(self->nck) : nck_go_on(self->nck)) != NCK_OK) return 0;
-    self->jogging = self->held = 0;
+    self->jogging = 0;
+    self->held = self->door; // a jog is over; a door stays
     self->flushed = 1;
     override(self);
     if (resets) {
@@ -379,7 +376,7 @@ static int revive(serve_t *self) {
 static int has_ended(const serve_t *self) {
     nck_queue_t queue;
     nck_queue(self->nck, &queue);
-    if (!ends(self)) return 0;
+    if (!ends_program(self)) return 0;
     return self->phase == SERVE_SETTLES || (self->phase == SERVE_TAKES && queue.text == 0);
 }
 
@@ -403,11 +400,18 @@ static void find(serve_t *self) {
     }
 }
 
+// Whoever begins the path anew ends what the kernel was asked for, and the session goes on with it.
+static void keep(serve_t *self) {
+    if (self->held) nck_hold(self->nck);
+    nck_check_only(self->nck, self->checks);
+}
+
 nck_status_t serve_step(serve_t *self) {
     const int heard = hear(self);
     const nck_status_t status = nck_prep(self->nck);
     find(self);
     const int went = serve_beside(self, SERVE_AT_STEP, 0.0) ? 0 : follow(self, status);
+    keep(self);
     if (heard || went || status <= NCK_OK) return NCK_OK;
     return status == NCK_EMPTY ? NCK_EMPTY : NCK_FULL;
 }
@@ -423,6 +427,7 @@ void serve_part(serve_t *self) {
         memset(&self->line, 0, sizeof self->line);
     } else {
         self->line.own = 1;
+        if (self->then == SERVE_THEN_ENDED) self->then = SERVE_THEN_OK;
     }
     if (!idle && self->then != SERVE_THEN_BANNER) serve_hold(self, 0); // a reset goes on
 }

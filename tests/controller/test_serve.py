@@ -64,6 +64,12 @@ def test_a_storm_leaves_a_machine_that_does_what_it_is_told(seed):
     hostile_runs.storms(seed)
 
 
+@pytest.mark.sample(30, quick=5)
+@pytest.mark.parametrize("seed", range(1, 1001))
+def test_nothing_moves_behind_an_open_door_or_in_a_hold(seed):
+    hostile_runs.doors(seed)
+
+
 def test_a_session_that_is_not_as_written_is_told():
     with pytest.raises(serving_runs.Broken, match="line 2"):
         serving_runs.play("< Grbl…\n< ok\n")
