@@ -34,6 +34,8 @@ PACKAGES_TEST = clang-19 libclang-rt-19-dev llvm-19 cppcheck gcc-arm-none-eabi \
                 gcc-i686-linux-gnu gcc-aarch64-linux-gnu gcc-riscv64-linux-gnu \
                 gcc-s390x-linux-gnu libc6-dev-i386-cross libc6-dev-arm64-cross \
                 libc6-dev-riscv64-cross libc6-dev-s390x-cross
+# What the senders of the campaign need: CNCjs, and bCNC on a display that nobody sees.
+PACKAGES_SENDERS = nodejs npm xvfb xauth python3-tk
 
 # $(call install,PACKAGES): install the Debian packages of the list that are missing.
 install = missing=$$(for package in $(1); do \
@@ -77,7 +79,7 @@ room quick: $(STAMP)/venv-test
 	@$(MAKE) -q $(STAMP)/module || $(MAKE) --no-print-directory $(STAMP)/module-quick
 	$(PYTEST) --draw quick -q $(if $(filter room,$@),$(SOON) tests/$(R))
 
-campaign: $(STAMP)/packages-test $(STAMP)/venv-test $(STAMP)/module
+campaign: $(STAMP)/packages-test $(STAMP)/packages-senders $(STAMP)/venv-test $(STAMP)/module
 	$(BIN)/python tests/campaign.py $(WHAT)
 
 # A C compiler, and a Python that can make a .venv and compile a module for it.
@@ -92,6 +94,11 @@ $(STAMP)/packages-run:
 $(STAMP)/packages-test: Makefile
 	@mkdir -p $(STAMP)
 	@($(call install,$(PACKAGES_TEST)))
+	@touch $@
+
+$(STAMP)/packages-senders: Makefile
+	@mkdir -p $(STAMP)
+	@($(call install,$(PACKAGES_SENDERS)))
 	@touch $@
 
 $(STAMP)/venv: requirements.lock $(STAMP)/packages-run

@@ -132,19 +132,34 @@ def machine_page():
     return "\n".join(lines)
 
 
+def members(kind):
+    """Return what a type is made of; None, for a key that may be absent, is no part."""
+    return [each for each in typing.get_args(kind) if each is not type(None)]
+
+
+def choices(kind):
+    """Return the choices of a type, () where it has none."""
+    for each in (kind, *members(kind)[:1]):
+        if typing.get_origin(each) is typing.Literal:
+            return typing.get_args(each)
+    return ()
+
+
+def bare(kind, bounds):
+    """Return a type without its annotations, and the bounds that stood in them."""
+    while parts := members(kind):
+        for part in parts:
+            bounds = [*bounds, *getattr(part, "__metadata__", ())]
+            kind = typing.get_args(part)[0] if hasattr(part, "__metadata__") else part
+    return kind, bounds
+
+
 def takes(field):
     """Return what a key takes, in words."""
     kind, bounds = field.annotation, list(field.metadata)
-    if typing.get_origin(kind) is typing.Literal:
-        return ", ".join(f"`{choice}`" for choice in typing.get_args(kind))
-    members = [each for each in typing.get_args(kind) if each is not type(None)]
-    if len(members) == 1 and typing.get_origin(members[0]) is typing.Literal:
-        return ", ".join(f"`{choice}`" for choice in typing.get_args(members[0]))
-    while typing.get_origin(kind) is typing.Annotated or members:
-        for member in members:
-            bounds += getattr(member, "__metadata__", ())
-            kind = typing.get_args(member)[0] if hasattr(member, "__metadata__") else member
-        members = [m for m in typing.get_args(kind) if m is not type(None)]
+    if chosen := choices(kind):
+        return ", ".join(f"`{choice}`" for choice in chosen)
+    kind, bounds = bare(kind, bounds)
     if isinstance(kind, type) and issubclass(kind, schema.Table):
         return "table"
     words = {bool: "true, false", str: "text", dict: "tables", int: "whole number", tuple: "texts"}

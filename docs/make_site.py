@@ -19,14 +19,14 @@ HEADERS = ("nck/nck.h", "nck/nck_session.h", "nck/nck_tools.h", "nck/base/machin
            "nck/base/records.h", "nck/base/status.h", "nck/base/limits.h", "host/host.h",
            "host/why.h", "host/trail.h")  # fmt: skip
 SECTIONS = {
-    "Begin": ("README", "docs/my_machine", "docs/commands", "docs/report", "docs/why",
-              "docs/journeys"),
-    "Reference": ("docs/machine", "docs/diagnostics", "docs/json", "docs/trace", "docs/python",
+    "User": ("README", "docs/my_machine", "docs/why", "docs/report", "docs/journeys", "docs/lathe",
+             "docs/firmware", "docs/python"),
+    "Reference": ("docs/commands", "docs/machine", "docs/diagnostics", "docs/json", "docs/trace",
+                  "docs/words", "docs/cycles", "docs/shops", "docs/controls", "docs/controller",
+                  "docs/serve", "docs/linuxcnc", "docs/moving", "docs/size", "docs/glossary",
                   "api_python", "api_c"),
-    "Programs": ("docs/cycles", "docs/lathe"),
-    "Firmware": ("docs/firmware", "docs/controller", "docs/size", "docs/stops"),
-    "Planning": ("docs/jerk", "docs/planner", "docs/grades", "docs/parallel", "docs/opencl",
-                 "docs/papers"),
+    "Lab": ("docs/jerk", "docs/planner", "docs/stops", "docs/grades", "docs/parallel",
+            "docs/opencl", "docs/papers"),
 }  # fmt: skip
 # Doxygen takes comments of three slashes: the house writes two.
 FILTER = r"sed -e 's,^\( *\)// ,\1/// ,' -e 's,\([;{},] *\)// ,\1///< ,'"

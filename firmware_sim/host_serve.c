@@ -24,6 +24,7 @@ nck_status_t host_serve_init(host_serve_t *self, nck_t *nck, const nck_machine_t
     const serve_port_t port = {self, write_out};
     memset(self, 0, sizeof *self);
     self->nck = nck;
+    host_serve_lend(self, self->own, HOST_IN);
     self->hash = 14695981039346656037u;
     const nck_status_t status = nck_init(nck, machine, &hooks);
     if (status != NCK_OK) return status;
@@ -31,6 +32,11 @@ nck_status_t host_serve_init(host_serve_t *self, nck_t *nck, const nck_machine_t
     inputs_init(&self->inputs, nck);
     host_switches_init(&self->switches, nck);
     return serve_init(&self->serve, nck, &self->room, &port);
+}
+
+void host_serve_lend(host_serve_t *self, char *bytes, uint32_t size) {
+    self->in = bytes;
+    self->in_size = size;
 }
 
 void host_serve_connect(host_serve_t *self) { serve_switches(&self->serve, &self->inputs); }
@@ -52,29 +58,25 @@ nck_status_t host_serve_restore(host_serve_t *self, const nck_modal_t *modal, in
 
 // What waits outside goes in.
 static void let_in(host_serve_t *self) {
-    size_t used = 0;
-    while (used < self->in_count && serve_has_room(&self->serve)) {
-        serve_put(&self->serve, (uint8_t)self->in[used]);
-        used++;
+    while (self->in_tail != self->in_head && serve_has_room(&self->serve)) {
+        serve_put(&self->serve, (uint8_t)self->in[self->in_tail++ & (self->in_size - 1)]);
     }
-    self->in_count -= used;
-    memmove(self->in, self->in + used, self->in_count);
 }
 
 size_t host_serve_receive(host_serve_t *self, const char *bytes, size_t n) {
     enum { RESET = 0x18 };
     size_t used = 0;
-    for (; used < n && self->in_count < HOST_IN; used++) {
-        if (bytes[used] == RESET) self->in_count = 0; // nobody waits for what was before
+    for (; used < n && self->in_head - self->in_tail < self->in_size; used++) {
+        if (bytes[used] == RESET) self->in_tail = self->in_head; // what was before is dropped
         if (serve_hear(&self->serve, (uint8_t)bytes[used])) continue;
-        self->in[self->in_count++] = bytes[used];
+        self->in[self->in_head++ & (self->in_size - 1)] = bytes[used];
     }
     let_in(self);
     return used;
 }
 
 void host_serve_part(host_serve_t *self) {
-    self->in_count = 0;
+    self->in_tail = self->in_head;
     serve_part(&self->serve);
 }
 

@@ -11,8 +11,8 @@
 #include "nck/nck_session.h" // nck_t
 #include "serve/serve.h" // serve_t
 
-// Bytes that wait outside of the ring, and answers that nobody has taken; of these what finds no
-// room is dropped and counted.
+// Bytes that wait outside of the ring: so many may stand in front of a real-time one that is heard
+// at once; and answers that nobody has taken, of which what finds no room is dropped and counted.
 enum { HOST_IN = 4096, HOST_OUT = 65536 };
 
 // All of it.
@@ -22,8 +22,9 @@ typedef struct host_serve {
     serve_t serve;
     inputs_t inputs;
     host_switches_t switches;
-    char in[HOST_IN];
-    size_t in_count;
+    char own[HOST_IN];
+    char *in;                // of so many bytes, a power of two
+    uint32_t in_size, in_head, in_tail;
     char out[HOST_OUT];
     size_t out_count;
     uint64_t out_lost;
@@ -38,6 +39,10 @@ typedef struct host_serve {
 // Begin at rest, with the banner to take. nck is initialised here and must outlive self.
 // Returns as nck_init. Cost: constant. Context: any.
 nck_status_t host_serve_init(host_serve_t *self, nck_t *nck, const nck_machine_t *machine);
+
+// More memory for bytes that wait, so many of them, a power of two; it must outlive self. Right
+// behind host_serve_init. Cost: constant.
+void host_serve_lend(host_serve_t *self, char *bytes, uint32_t size);
 
 // The machine has switches: inputs.set and switches as the caller has set them. Cost: constant.
 void host_serve_connect(host_serve_t *self);

@@ -19,9 +19,9 @@ printed before it. The exit status is the number of parts that found something.
     clocked     1 000 programs, 2 000 rests and 4 000 nasty programs along clocked paths (they find
                 some yet)
     scripts     24 000 random scripts of the front door, 100 000 programs; 20 000 sessions with
-                wrong lines in them
+                wrong lines in them; 4 000 whose modes at the tool are known
     serve       in grbl's protocol 500 random streams, 20 000 jogs cancelled, 2 000 times noise,
-                3 000 senders that mean no good
+                3 000 senders that mean no good, 5 000 with doors and holds at any moment
     senders     CNCjs and bCNC from their packages, in front of a served machine
     cycles      4 000 programs with cycles within a tolerance: limits of every axis
     threads     2 000 programs of each family with threads and taps; 20 000 spindles that fail
@@ -32,6 +32,7 @@ printed before it. The exit status is the number of parts that found something.
     linuxcnc    10 000 random calls beside LinuxCNC's own planner, 2 500 random scripts of other
                 kinds in the stand-in, 20 operators and lathe programs in a live LinuxCNC
     imports     4 500 random configurations of other controls
+    strangers   3 000 people with a machine, a program and a few commands, many of them wrong
 """
 
 import argparse
@@ -63,7 +64,8 @@ PARTS = {
                 "tests/kernel/nasty.py --slope optimal --count 4000 --seed {seed}"],
     "scripts": ["build/gcc/tests_kernel test_script 24000 {seed}",
                 "build/gcc/tests_kernel test_session 20000 {seed}",
-                "build/gcc/tests_kernel test_stop 20000 {seed}"],
+                "build/gcc/tests_kernel test_stop 20000 {seed}",
+                "build/gcc/tests_kernel test_executed 4000 {seed}"],
     "serve": ["build/gcc/tests_controller test_pulse 2000 {seed}",
               "build/gcc/tests_controller test_square 2000 {seed}",
               "build/gcc/tests_controller test_drive 1000 {seed}",
@@ -73,7 +75,10 @@ PARTS = {
               "tests/controller/serving_runs.py streams 500 {seed}",
               "tests/controller/serving_runs.py jogs 1000 {seed}",
               "tests/controller/serving_runs.py bytes 2000 {seed}",
+              "tests/controller/serving_runs.py modes 500 {seed}",
+              "tests/controller/serving_runs.py resets 1000 {seed}",
               "tests/controller/hostile_runs.py storms 3000 {seed}",
+              "tests/controller/hostile_runs.py doors 5000 {seed}",
               "tests/controller/serving_runs.py brakes 1000 {seed}",
               "tests/controller/streaming.py surf_webgcode_46k.ngc jerk {seed}",
               "tests/controller/streaming.py surf_webgcode_46k.ngc optimal {seed}"],
@@ -92,6 +97,7 @@ PARTS = {
                  "--count 500 --seed {seed}",
                  "tests/linuxcnc/lathe_live.py", "tests/linuxcnc/operators.py {seed} 20"],
     "imports": ["tests/machine/configurations.py 1500 {seed}"],
+    "strangers": ["tests/cli/strangers.py 3000 {seed}"],
 }  # fmt: skip
 
 

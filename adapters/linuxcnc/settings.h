@@ -11,9 +11,7 @@
 enum {
     SETTINGS_AXES = 9,    // X Y Z A B C U V W
     SETTINGS_SHORT = NCK_PROFILE > 1024, // 1: built for servo periods of less than 1 ms
-    // Steps of preparation a millisecond, where the INI says nothing; of the long window they are
-    // four times as long.
-    SETTINGS_BUDGET = SETTINGS_SHORT ? 20 : 48,
+    SETTINGS_BUDGET = 48, // steps of preparation a millisecond, where the INI says nothing
     SETTINGS_WHY = 256    // longest message
 };
 

@@ -100,7 +100,7 @@ static nck_status_t push_block(nck_host_early_t *self, const nck_block_t *block)
     const double before = self->smooth.known;
     const nck_status_t status = nck_smooth_push(&self->smooth, block, self->block_seq);
     if (!(self->smooth.known > before)) return status;
-    const nck_mark_t mark = {self->smooth.known, block->line, 0};
+    const nck_mark_t mark = {self->smooth.known, block->line, block->modes};
     batch->marks[batch->mark_count] = mark;
     batch->mark_count++;
     note(batch, NCK_HOST_BATCH_MARK);

@@ -215,7 +215,7 @@ static nck_status_t feed_item(nck_host_plan_t *plan, uint8_t what) {
     }
     if (what == NCK_HOST_BATCH_MARK) {
         const nck_mark_t *const mark = &batch->marks[plan->used.mark++];
-        nck_link_push_mark(link, mark->line, mark->s);
+        nck_link_push_mark(link, mark);
         return NCK_OK;
     }
     if (!nck_link_has_room(link)) return NCK_FULL;

@@ -144,7 +144,7 @@ static void take_low(nck_host_why_t *self, const nck_host_low_t *low) {
 // The source line at a place of the piece in work.
 static uint32_t line_at(const nck_host_why_t *self, double s) {
     const nck_seg_t *const seg = nck_link_seg(self->link, self->piece.seg);
-    return nck_marks_line(&self->link->marks, seg, s - seg->s_begin);
+    return nck_marks_line(&self->link->marks, seg, s - seg->s_begin, &(uint32_t){0});
 }
 
 static int is_rest(uint32_t kind) { return kind == NCK_SEG_DWELL || kind == NCK_SEG_WAIT; }
@@ -312,7 +312,7 @@ static void follow(nck_host_why_t *self, const nck_cell_t *cell, double s_cell, 
     const double s_end = nck_cell_way(cell, to);
     double at = from;
     uint32_t line = line_at(self, s_cell + nck_cell_way(cell, from));
-    for (uint32_t k = seg->mark; k != seg->mark + seg->marks; k++) {
+    for (uint32_t k = seg->marks.from; k - seg->marks.from != seg->marks.count; k++) {
         const double s = nck_marks_end(&self->link->marks, k) - s_cell;
         if (s >= s_end) break;
         if (s <= nck_cell_way(cell, at)) continue;

@@ -5,8 +5,9 @@
 
 #include <string.h> // memcpy memset
 
+#include "nck/base/in_force.h"        // nck_force_t
 #include "nck/base/link_invariants.h" // nck_link_invariants
-#include "nck/base/real.h"            // nck_floor
+#include "nck/base/real.h"            // nck_rounded
 
 // ---- memory
 
@@ -191,13 +192,17 @@ nck_status_t nck_set_switches(nck_t *nck, uint32_t skips, uint32_t stops) {
 
 void nck_name_line(nck_t *nck, uint32_t name) { nck_decode_name_line(&nck->decode, name); }
 
-// Nothing is under way in any room, and the link is both sides'.
-static int is_all_done(const nck_t *nck) {
+// Nothing is under way in any room.
+static int is_all_taken(const nck_t *nck) {
     nck_queue_t queue;
     nck_queue(nck, &queue);
-    const int empty = nck_decode_is_empty(&nck->decode) && !nck_toolcomp_is_on(&nck->toolcomp)
-                      && queue.smooth == 0 && queue.segs == 0 && queue.outputs == 0;
-    return empty && !flushes(nck) && !nck->wire.given_up
+    return nck_decode_is_empty(&nck->decode) && !nck_toolcomp_is_on(&nck->toolcomp)
+           && queue.smooth == 0 && queue.segs == 0 && queue.outputs == 0;
+}
+
+// Nothing is under way in any room, and the link is both sides'.
+static int is_all_done(const nck_t *nck) {
+    return is_all_taken(nck) && !flushes(nck) && !nck->wire.given_up
            && nck_link_owner(&nck->link) == NCK_LINK_BOTH
            && nck_interpolate_is_at_rest(&nck->interpolate);
 }
@@ -241,7 +246,10 @@ nck_status_t nck_modal_set(nck_t *nck, const nck_modal_t *modal) {
                      && are_places(machine, offsets.g92_nm, 1, NCK_AXIS_MAX)
                      && are_places(machine, offsets.tool_nm, 1, 3);
     if (!good) return NCK_E_ARGUMENT;
-    return is_all_done(nck) ? nck_decode_set_offsets(&nck->decode, &offsets) : NCK_E_STATE;
+    if (!is_all_done(nck)) return NCK_E_STATE;
+    const nck_status_t status = nck_decode_set_offsets(&nck->decode, &offsets);
+    nck->wire.modes = nck_decode_modes(&nck->decode);
+    return status;
 }
 
 nck_status_t nck_tool_of(const nck_t *nck, uint32_t number, nck_tool_t *tool_out) {
@@ -284,7 +292,7 @@ nck_status_t nck_probed(nck_t *nck, const nck_halt_t *halt) {
     int64_t at_nm[NCK_AXIS_MAX];
     if (!nck->decode.session.before || !nck_decode_is_empty(&nck->decode)) return NCK_E_STATE;
     for (int x = 0; halt && x < NCK_AXIS_MAX; x++) {
-        at_nm[x] = (int64_t)nck_floor(halt->at[x] * nck_machine_counts(&nck->machine, x) + 0.5);
+        at_nm[x] = nck_rounded(halt->at[x] * nck_machine_counts(&nck->machine, x));
     }
     return nck_decode_probed(&nck->decode, halt ? at_nm : NULL);
 }
@@ -319,19 +327,31 @@ void nck_queue(const nck_t *nck, nck_queue_t *queue_out) {
 
 uint32_t nck_queue_cells(const nck_t *nck) { return nck_link_waiting(&nck->link); }
 
+// So many bits of a word of modes.
+static uint32_t force(uint32_t modes, nck_force_t from, uint32_t bits) {
+    return modes >> from & ((1u << bits) - 1u);
+}
+
+static void tell_modes(uint32_t modes, nck_modal_t *modal_out) {
+    const uint32_t motion = force(modes, NCK_FORCE_MOTION, 10);
+    modal_out->motion = motion >= NCK_FORCE_NO_MOTION ? -1 : (int32_t)motion / 10;
+    modal_out->plane = (uint8_t)(17 + force(modes, NCK_FORCE_PLANE, 2));
+    modal_out->inch = (uint8_t)force(modes, NCK_FORCE_INCH, 1);
+    modal_out->diameter = (uint8_t)force(modes, NCK_FORCE_DIAMETER, 1);
+    modal_out->incremental = (uint8_t)force(modes, NCK_FORCE_INCREMENTAL, 1);
+    modal_out->feed_mode = (uint8_t)force(modes, NCK_FORCE_FEED_MODE, 2);
+    modal_out->path_mode = (uint8_t)force(modes, NCK_FORCE_PATH_MODE, 2);
+    modal_out->spindle_on = (uint8_t)force(modes, NCK_FORCE_SPINDLE_ON, 1);
+    modal_out->spindle_code = (uint8_t)force(modes, NCK_FORCE_SPINDLE_CODE, 3);
+    modal_out->coolant = (uint8_t)force(modes, NCK_FORCE_COOLANT, 2);
+    modal_out->work_system = (uint8_t)force(modes, NCK_FORCE_SYSTEM, 4);
+}
+
 void nck_modal(const nck_t *nck, nck_modal_t *modal_out) {
     const nck_decode_t *const decode = &nck->decode;
     const uint32_t system = decode->place.work_system;
     memset(modal_out, 0, sizeof *modal_out);
-    modal_out->motion = decode->modal.motion < 0 ? -1 : decode->modal.motion / 10;
-    modal_out->plane = decode->modal.plane;
-    modal_out->inch = decode->modal.inch;
-    modal_out->diameter = decode->modal.diameter;
-    modal_out->incremental = decode->modal.incremental;
-    modal_out->feed_mode = decode->modal.feed_mode;
-    modal_out->path_mode = decode->modal.path_mode;
-    modal_out->spindle_on = decode->modal.spindle_on;
-    modal_out->work_system = (uint8_t)system;
+    tell_modes(nck_decode_modes(decode), modal_out);
     modal_out->tolerance_mm = decode->modal.tolerance_mm;
     modal_out->feed = decode->modal.feed;
     modal_out->spindle_rpm = decode->modal.speed > 0.0 ? decode->modal.speed : 0.0;
@@ -344,9 +364,12 @@ void nck_modal(const nck_t *nck, nck_modal_t *modal_out) {
     memcpy(modal_out->g92_nm, decode->place.g92_nm, sizeof modal_out->g92_nm);
     memcpy(modal_out->systems_nm, decode->place.work_nm, sizeof modal_out->systems_nm);
     memcpy(modal_out->home_nm, decode->place.home_nm, sizeof modal_out->home_nm);
-    modal_out->coolant = decode->modal.coolant;
-    modal_out->spindle_code = decode->modal.spindle_code;
     memcpy(modal_out->tool_nm, decode->place.tool_nm, sizeof modal_out->tool_nm);
+}
+
+void nck_modal_executed(const nck_t *nck, nck_modal_t *modal_out) {
+    nck_modal(nck, modal_out);
+    if (!is_all_taken(nck)) tell_modes(nck_fence_load(&nck->interpolate.modes), modal_out);
 }
 
 int nck_is_at_travel(const nck_t *nck) { return (int)nck_fence_load(&nck->travel.stops); }

@@ -6,7 +6,7 @@
 
 #include <string.h> // memset
 
-#include "nck/base/real.h" // nck_floor nck_larger
+#include "nck/base/real.h" // nck_larger nck_rounded
 
 enum {
     PPM = 1000000, FEED_MOST = 2, // overrides
@@ -38,6 +38,7 @@ nck_status_t nck_init(nck_t *nck, const nck_machine_t *machine, const nck_hooks_
     begin_rooms(nck);
     nck_interpolate_init(&nck->interpolate, &nck->terms, &nck->link);
     nck_transform_init(&nck->transform, &nck->machine);
+    nck->wire.modes = nck->interpolate.modes = nck_decode_modes(&nck->decode);
     return NCK_OK;
 }
 
@@ -96,7 +97,8 @@ static nck_status_t push_block(nck_t *nck, const nck_block_t *block) {
     const nck_status_t status = nck_smooth_push(&nck->smooth, block, nck->wire.blocks);
     const double known = nck->smooth.known;
     if (!NCK_HAS_MARKS) return status;
-    if (known > before) nck_link_push_mark(&nck->link, block->line, known);
+    const nck_mark_t mark = {known, block->line, block->modes};
+    if (known > before) nck_link_push_mark(&nck->link, &mark);
     return status;
 }
 
@@ -146,6 +148,9 @@ static nck_status_t end_decode(nck_t *nck, nck_status_t status) {
 // decode ─▶ toolcomp. NCK_OK: the block passes; NCK_DONE: it does not, or there is none.
 static nck_status_t decode_block(nck_t *nck) {
     nck_status_t status = nck_decode_pull(&nck->decode, &nck->wire.block);
+    nck->wire.modes = nck->decode.text.quick ? nck_decode_moves(&nck->decode, nck->wire.modes)
+                                             : nck_decode_modes(&nck->decode);
+    nck->wire.block.modes = nck->wire.modes;
     if (status != NCK_OK) return end_decode(nck, status);
     if (nck->wire.checks) return NCK_DONE;
     status = nck_toolcomp_push(&nck->toolcomp, &nck->wire.block);
@@ -296,12 +301,13 @@ static void begin_anew(nck_t *nck) {
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const double counts = nck_machine_counts(&nck->machine, x);
         const double place = nck->interpolate.pose.axis[x] * counts;
-        nck->machine.start_nm[x] = (int64_t)nck_floor(place + 0.5);
+        nck->machine.start_nm[x] = nck_rounded(place);
     }
     nck_decode_stand(&nck->decode);
     nck_toolcomp_init(&nck->toolcomp, &nck->machine);
     nck_link_renew(&nck->link);
     begin_rooms(nck);
+    nck->wire.modes = nck->interpolate.modes = nck_decode_modes(&nck->decode);
     nck_link_give_back(&nck->link);
 }
 

@@ -55,6 +55,7 @@ struct nck {
         uint8_t stands;         // 1: single block keeps the path; tick's own, …
         uint32_t resumed;       // … and so often the operator had gone on until then
         uint32_t blocks;        // blocks so far, of all kinds
+        uint32_t modes;         // in force behind the last block (in_force.h)
         nck_diagnostic_t diagnostic; // of a room behind 1_decode; code 0: none
         uint32_t steps;         // of nck_prep, 0 when it is done; any reads
     } wire;

@@ -76,6 +76,12 @@ nck_status_t nck_set_position(nck_t *nck, const int64_t *position_nm);
 // go on running.
 nck_status_t nck_modal_set(nck_t *nck, const nck_modal_t *modal);
 
+// As nck_modal, but for the modes (motion … work_system), which are those at the tool: of the line
+// that the last tick gave in its pose. The pose has feed and spindle speed there, too. Where all
+// that was pushed is executed the two say the same. With a window below 64 they are, like the line,
+// those where a seg begins. Cost: constant. Context: prep.
+void nck_modal_executed(const nck_t *nck, nck_modal_t *modal_out);
+
 // A tool of the table, with what G10 has changed in it. Returns NCK_OK, or NCK_E_TOOL_UNKNOWN.
 // Cost: linear in tools and parameters. Context: prep.
 nck_status_t nck_tool_of(const nck_t *nck, uint32_t number, nck_tool_t *tool_out);

@@ -154,7 +154,8 @@ static void move(inputs_t *self, int rests) {
 static void wait(inputs_t *self) {
     if (nck_fence_load(&self->steady) < self->set.debounce) return;
     if (is_closed(self)) {
-        self->home.result = INPUTS_STUCK;
+        if (self->home.leg == INPUTS_BACK) begin_leg(self, INPUTS_FURTHER);
+        else self->home.result = INPUTS_STUCK;
     } else if (self->home.leg == INPUTS_LEAVE) {
         self->home.at++;
         begin_axis(self);

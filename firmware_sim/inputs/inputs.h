@@ -43,9 +43,9 @@ typedef enum inputs_leg {
     INPUTS_SEEK = 1,   // to it, fast
     INPUTS_AGAIN = 2,  // as far once more
     INPUTS_BACK = 3,   // off it
-    INPUTS_LOCATE = 4, // to it, slowly
-    INPUTS_LEAVE = 5,  // to where homing ends
-    INPUTS_LEGS = 6
+    INPUTS_FURTHER = 4, // … once more: it was seen late, as it bounced
+    INPUTS_LOCATE = 5, // to it, slowly
+    INPUTS_LEAVE = 6   // to where homing ends
 } inputs_leg_t;
 
 // How far a leg is.

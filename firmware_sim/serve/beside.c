@@ -19,7 +19,6 @@ enum {
     PROBE_MUST = 1 // bit 0 of n in G38.n: it need not meet anything
 };
 
-static const char letters[] = "XYZABCUVW";
 static const int64_t nowhere_nm[NCK_AXIS_MAX];
 
 static uint32_t is_on(const inputs_t *inputs, uint32_t input) {
@@ -27,10 +26,7 @@ static uint32_t is_on(const inputs_t *inputs, uint32_t input) {
 }
 
 static void alarm(serve_t *self, alarm_t code) {
-    if (self->locked != code) {
-        serve_say_code(self, "ALARM:", (int32_t)code);
-        serve_say(self, "\r\n");
-    }
+    if (self->locked != code) serve_say_two(self, "ALARM:#\r\n", (int32_t)code, 0);
     self->locked = (uint8_t)code;
 }
 
@@ -159,18 +155,13 @@ static int step(serve_t *self) {
 // ---- what is said and set
 
 static int say_pins(serve_t *self) {
-    const uint32_t pins = nck_fence_load(&self->inputs->pins);
-    char text[] = "|Pn:             ";
-    uint32_t at = 4;
-    if (pins >> HAL_IN_PROBE & 1u) text[at++] = 'P';
-    for (uint32_t axis = 0; axis < NCK_AXIS_MAX; axis++) {
-        const uint32_t switches = pins >> (HAL_IN_LIMIT + axis) | pins >> (HAL_IN_HOME + axis);
-        if (switches & 1u) text[at++] = letters[axis];
-    }
-    if (pins >> HAL_IN_DOOR & 1u) text[at++] = 'D';
-    if (pins >> HAL_IN_EMERGENCY & 1u) text[at++] = 'E';
-    text[at] = '\0';
-    if (at > 4) serve_say(self, text);
+    enum { AXES = (1u << NCK_AXIS_MAX) - 1u, DOOR = 10, EMERGENCY = 11 };
+    const inputs_t *const inputs = self->inputs;
+    const uint32_t pins = nck_fence_load(&inputs->pins);
+    const uint32_t axes = (pins >> HAL_IN_LIMIT | pins >> HAL_IN_HOME) & AXES;
+    serve_say_letters(self, "|Pn:", "PXYZABCUVWDE",
+                      is_on(inputs, HAL_IN_PROBE) | axes << 1 | is_on(inputs, HAL_IN_DOOR) << DOOR
+                          | is_on(inputs, HAL_IN_EMERGENCY) << EMERGENCY);
     return 0;
 }
 

@@ -11,8 +11,7 @@ enum {
 };
 
 void serve_say_setting(serve_t *self, uint32_t number, int32_t value, uint32_t places) {
-    serve_say_code(self, "$", (int32_t)number);
-    serve_say(self, "=");
+    serve_say_two(self, "$#=", (int32_t)number, 0);
     serve_say_number(self, value, places);
     serve_say(self, "\r\n");
 }
@@ -87,7 +86,6 @@ static uint8_t set(serve_t *self) {
 static uint8_t check(serve_t *self) {
     if (!self->checks && !serve_is_idle(self)) return SERVE_E_BUSY;
     self->checks = !self->checks;
-    nck_check_only(self->nck, self->checks);
     serve_say(self, self->checks ? "[MSG:Enabled]\r\n" : "[MSG:Disabled]\r\nok\r\n");
     if (!self->checks) serve_brake(self, SERVE_THEN_BANNER);
     return 0;
@@ -125,9 +123,7 @@ static uint8_t erase(serve_t *self) {
 }
 
 static uint8_t say_build(serve_t *self) {
-    serve_say_code(self, "[VER:1.1f.nck:]\r\n[OPT:VNM,", NCK_SEG_MAX);
-    serve_say_code(self, ",", SERVE_RING - 1);
-    serve_say(self, "]\r\n");
+    serve_say_two(self, "[VER:1.1f.nck:]\r\n[OPT:VNM,#,#]\r\n", NCK_SEG_MAX, SERVE_RING - 1);
     return 0;
 }
 

@@ -40,11 +40,17 @@ void serve_say(serve_t *self, const char *text);
 void serve_say_number(serve_t *self, int32_t value, uint32_t places);
 void serve_forget(serve_t *self);
 
-// report.c: a text and a number.
-void serve_say_code(serve_t *self, const char *before, int32_t number);
+// report.c: a text with two whole numbers at most, where a # stands in it.
+void serve_say_two(serve_t *self, const char *form, int32_t first, int32_t second);
+
+// report.c: the letters whose bits are set, from the lowest on; a text before them, if any is.
+void serve_say_letters(serve_t *self, const char *before, const char *letters, uint32_t bits);
 
 // report.c: to the nearest whole number that fits. Cost: constant.
 int32_t serve_round(double value);
+
+// report.c: the modes at the tool, as 0x83 asks for them.
+void serve_say_executed(serve_t *self);
 
 // report.c: the whole status; modes; the parameters of $#. The last two return 0.
 void serve_say_status(serve_t *self);

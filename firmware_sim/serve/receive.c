@@ -1,32 +1,35 @@
 // SPDX-License-Identifier: MIT
 // What is received: real-time bytes go into a ring of their own, all others into that of lines.
+#include <string.h> // memchr
+
 #include "nck/base/fence.h" // nck_fence_load nck_fence_store
 #include "serve/serve.h"
+
+enum { BEHIND_C2 = 4, URGENT = 4 };
+
+// What stops comes first, URGENT of them; the overrides besides, 0x90 … 0x9d.
+static const char signals[] = {'!', '\x18', '\x84', '\x85', '?', '~', '\x83', '\xa0', '\xa1'};
 
 // A letter outside of ASCII counts for nothing, though its later bytes look like signals. C2 and a
 // byte below A0 are no letter but a signal, as senders write it that know text alone.
 static int is_of_letter(serve_t *self, uint8_t byte) {
+    const uint32_t rest = self->in.rest;
+    self->in.rest = 0;
     if (byte >= 0xc2 && byte <= 0xf4) {
-        self->in.control = byte == 0xc2;
-        self->in.rest = byte < 0xe0 ? 1 : byte < 0xf0 ? 2 : 3;
+        self->in.rest = byte == 0xc2 ? BEHIND_C2 : 1u + (byte >= 0xe0) + (byte >= 0xf0);
         return 1;
     }
-    const int is_control = self->in.control && byte < 0xa0;
-    self->in.control = 0;
-    if (is_control) self->in.rest = 0;
-    const int continues = self->in.rest > 0 && byte >= 0x80 && byte <= 0xbf;
-    self->in.rest = continues ? self->in.rest - 1 : 0;
-    return continues;
+    if (rest == 0 || (byte & 0xc0u) != 0x80u) return 0;
+    if (rest == BEHIND_C2) return byte >= 0xa0;
+    self->in.rest = rest - 1;
+    return 1;
 }
 
-static int is_urgent(uint8_t byte) {
-    return byte == '!' || byte == 0x18 || byte == 0x84 || byte == 0x85;
-}
+static int is_urgent(uint8_t byte) { return memchr(signals, byte, URGENT) != NULL; }
 
 static int is_signal(uint8_t byte) {
-    const int overrides = byte >= 0x90 && byte <= 0x9d;
-    return is_urgent(byte) || byte == '?' || byte == '~' || overrides || byte == 0xa0
-           || byte == 0xa1;
+    const int overrides = (uint8_t)(byte - 0x90) <= 0x9d - 0x90;
+    return overrides || memchr(signals, byte, sizeof signals) != NULL;
 }
 
 // A quarter of the room is for what stops.

@@ -40,9 +40,24 @@ int32_t serve_round(double value) {
     return (int32_t)(kept < 0.0 ? kept - 0.5 : kept + 0.5);
 }
 
-void serve_say_code(serve_t *self, const char *before, int32_t number) {
-    serve_say(self, before);
-    serve_say_number(self, number, 0);
+void serve_say_letters(serve_t *self, const char *before, const char *letters, uint32_t bits) {
+    if (bits != 0) serve_say(self, before);
+    for (uint32_t left = bits; left != 0; left >>= 1) {
+        if (left & 1u) self->port.write(self->port.user, letters, 1);
+        letters++;
+    }
+}
+
+void serve_say_two(serve_t *self, const char *form, int32_t first, int32_t second) {
+    int32_t next = first;
+    for (; *form != '\0'; form++) {
+        if (*form != '#') {
+            self->port.write(self->port.user, form, 1);
+            continue;
+        }
+        serve_say_number(self, next, 0);
+        next = second;
+    }
 }
 
 void serve_say_axes(serve_t *self, const char *before, const double *at, const int64_t *zero_nm) {
@@ -87,26 +102,22 @@ static void say_room(serve_t *self) {
     nck_queue(self->nck, &queue);
     const uint32_t blocks = NCK_SEG_MAX - queue.segs;
     const uint32_t used = nck_fence_load(&self->in.head) - self->in.tail;
-    serve_say_code(self, "|Bf:", (int32_t)(blocks < BLOCKS_MOST ? blocks : BLOCKS_MOST));
-    serve_say_code(self, ",", (int32_t)(SERVE_RING - 1 - used));
+    const uint32_t told = blocks < BLOCKS_MOST ? blocks : BLOCKS_MOST;
+    serve_say_two(self, "|Bf:#,#", (int32_t)told, (int32_t)(SERVE_RING - 1 - used));
 }
 
 static void say_speeds(serve_t *self, const serve_seen_t *seen) {
     const uint32_t rpm = self->tick.turns != 0 ? self->tick.rpm : 0;
-    serve_say_code(self, "|FS:", serve_round(self->inches ? seen->speed / 25.4 : seen->speed));
-    serve_say_code(self, ",", (int32_t)(rpm * self->spindle / 100));
+    const int32_t speed = serve_round(self->inches ? seen->speed / 25.4 : seen->speed);
+    serve_say_two(self, "|FS:#,#", speed, (int32_t)(rpm * self->spindle / 100));
 }
 
 static void say_overrides(serve_t *self) {
     const uint32_t coolant = serve_coolant(self);
     const uint32_t turns = self->tick.turns;
-    serve_say_code(self, "|Ov:", self->feed);
-    serve_say_code(self, ",", self->rapid);
-    serve_say_code(self, ",", self->spindle);
-    if (turns + coolant != 0) serve_say(self, "|A:");
-    if (turns != 0) serve_say(self, turns == 1 ? "S" : "C");
-    if (coolant & 2) serve_say(self, "F");
-    if (coolant & 1) serve_say(self, "M");
+    serve_say_two(self, "|Ov:#,#", self->feed, self->rapid);
+    serve_say_two(self, ",#", self->spindle, 0);
+    serve_say_letters(self, "|A:", "SCFM", turns | (coolant & 2) << 1 | (coolant & 1) << 3);
 }
 
 // What changes seldom is said seldom: the work offset, else the overrides.
@@ -137,40 +148,52 @@ void serve_say_status(serve_t *self) {
     if (self->mask & 1) serve_say_axes(self, "|MPos:", seen.at, nowhere_nm);
     else serve_say_axes(self, "|WPos:", seen.at, modal.origin_nm);
     if (self->mask & 2) say_room(self);
-    if (seen.line != 0 && *state != 'I') serve_say_code(self, "|Ln:", (int32_t)seen.line);
+    if (seen.line != 0 && *state != 'I') serve_say_two(self, "|Ln:#", (int32_t)seen.line, 0);
     say_speeds(self, &seen);
     (void)serve_beside(self, SERVE_AT_STATUS, 0.0);
     say_seldom(self, &modal, seen.moves);
     serve_say(self, ">\r\n");
 }
 
-static void say_system(serve_t *self, int32_t system) {
-    const int32_t last = SYSTEMS - 1;
-    serve_say_code(self, " G", 54 + (system < last ? system : last));
-    if (system > last) serve_say_code(self, ".", system - last);
+static void say_modes(serve_t *self, const nck_modal_t *modal) {
+    static const uint8_t feeds[] = {94, 93, 95}; // nck_feed_mode_t
+    enum { LAST = SYSTEMS - 1, CODES = 6 };
+    const int32_t system = modal->work_system, more = system > LAST ? system - LAST : 0;
+    const uint8_t codes[CODES] = {(uint8_t)(modal->motion < 0 ? 80 : modal->motion),
+                                  (uint8_t)(54 + system - more), modal->plane,
+                                  (uint8_t)(21 - modal->inch), (uint8_t)(90 + modal->incremental),
+                                  feeds[modal->feed_mode]};
+    const double unit = modal->inch && modal->feed_mode != NCK_FEED_INVERSE ? 25.4 : 1.0;
+    serve_say(self, "[GC");
+    for (uint32_t k = 0; k < CODES; k++) {
+        serve_say_two(self, k == 0 ? ":G#" : " G#", codes[k], 0);
+        if (k == 1 && more > 0) serve_say_two(self, ".#", more, 0);
+    }
+    serve_say_two(self, " M#", modal->spindle_on ? modal->spindle_code : 5, 0);
+    if (modal->coolant & 1) serve_say(self, " M7");
+    if (modal->coolant & 2) serve_say(self, " M8");
+    if (modal->coolant == 0) serve_say(self, " M9");
+    serve_say_two(self, " T# F#", (int32_t)modal->tool_next, serve_round(modal->feed / unit));
+    serve_say_two(self, " S#]\r\n", serve_round(modal->spindle_rpm), 0);
 }
 
 uint8_t serve_say_modes(serve_t *self) {
-    static const char *const feeds[] = {" G94", " G93", " G95"}; // nck_feed_mode_t
     nck_modal_t modal;
     nck_modal(self->nck, &modal);
-    const double unit = modal.inch && modal.feed_mode != NCK_FEED_INVERSE ? 25.4 : 1.0;
-    serve_say(self, "[GC:");
-    serve_say_code(self, "G", modal.motion < 0 ? 80 : modal.motion);
-    say_system(self, modal.work_system);
-    serve_say_code(self, " G", modal.plane);
-    serve_say(self, modal.inch ? " G20" : " G21");
-    serve_say(self, modal.incremental ? " G91" : " G90");
-    serve_say(self, feeds[modal.feed_mode]);
-    serve_say_code(self, " M", modal.spindle_on ? modal.spindle_code : 5);
-    if (modal.coolant & 1) serve_say(self, " M7");
-    if (modal.coolant & 2) serve_say(self, " M8");
-    if (modal.coolant == 0) serve_say(self, " M9");
-    serve_say_code(self, " T", (int32_t)modal.tool_next);
-    serve_say_code(self, " F", serve_round(modal.feed / unit));
-    serve_say_code(self, " S", serve_round(modal.spindle_rpm));
-    serve_say(self, "]\r\n");
+    say_modes(self, &modal);
     return 0;
+}
+
+// In a feed move F is the tool's, in mm/min; S always is.
+void serve_say_executed(serve_t *self) {
+    nck_modal_t modal;
+    nck_modal_executed(self->nck, &modal);
+    if (!serve_is_idle(self)) {
+        const double feed = serve_seen(self)->feed;
+        if (feed > 0.0) modal.feed = feed;
+        modal.spindle_rpm = self->tick.rpm;
+    }
+    say_modes(self, &modal);
 }
 
 uint8_t serve_say_offsets(serve_t *self) {
@@ -181,7 +204,7 @@ uint8_t serve_say_offsets(serve_t *self) {
     for (uint32_t k = 0; k < sizeof names; k++) {
         if (k == SYSTEMS) place_nm = modal.home_nm[0];
         if (k == SYSTEMS + 2) place_nm = modal.g92_nm;
-        serve_say_code(self, "[G", names[k]);
+        serve_say_two(self, "[G#", names[k], 0);
         serve_say_axes(self, ":", NULL, place_nm);
         serve_say(self, "]\r\n");
         place_nm += NCK_AXIS_MAX;

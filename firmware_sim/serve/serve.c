@@ -29,6 +29,7 @@ void serve_tick(serve_t *self, const nck_pose_t *pose) {
     serve_seen_t *const seen = &self->seen[next];
     memcpy(seen->at, pose->axis, sizeof seen->at);
     seen->speed = pose->v * 60.0 / pose->feed_scale;
+    seen->feed = pose->feed * 60.0 / pose->feed_scale;
     seen->line = pose->line;
     seen->state = pose->state;
     seen->moves = pose->v > 0.0 || pose->state == NCK_TICK_MOVE;
@@ -37,23 +38,20 @@ void serve_tick(serve_t *self, const nck_pose_t *pose) {
     nck_fence_store(&self->tick.ticks, self->tick.ticks + 1);
 }
 
+// M3, M4, M5; M7, M8, M9.
 static void switch_code(serve_t *self, uint32_t code) {
     const uint32_t coolant = self->tick.coolant;
-    switch (code) {
-    case 3: self->tick.turns = 1; break;
-    case 4: self->tick.turns = 2; break;
-    case 5: self->tick.turns = 0; break;
-    case 7: nck_fence_store(&self->tick.coolant, coolant | 1); break;
-    case 8: nck_fence_store(&self->tick.coolant, coolant | 2); break;
-    case 9: nck_fence_store(&self->tick.coolant, 0); break;
-    default: break;
+    if (code >= 3 && code <= 5) self->tick.turns = code == 5 ? 0 : code - 2;
+    if (code >= 7 && code <= 9) {
+        nck_fence_store(&self->tick.coolant, code == 9 ? 0 : coolant | (code - 6));
     }
 }
 
 void serve_output(void *user, const nck_output_t *output) {
     serve_t *const self = user;
-    if (output->kind == NCK_OUTPUT_SPINDLE_SPEED) self->tick.rpm = (uint32_t)output->value;
-    if (output->kind == NCK_OUTPUT_M) switch_code(self, (uint32_t)output->value);
+    const uint32_t value = (uint32_t)output->value;
+    if (output->kind == NCK_OUTPUT_SPINDLE_SPEED) self->tick.rpm = value;
+    if (output->kind == NCK_OUTPUT_M) switch_code(self, value);
 }
 
 uint32_t serve_spindle(const serve_t *self) { return self->spindle; }
@@ -93,7 +91,6 @@ static void reset(serve_t *self) {
     nck_fence_store(&self->in.tail, nck_fence_load(&self->in.head));
     nck_fence_store(&self->in.lost, 0);
     memset(&self->line, 0, sizeof self->line);
-    nck_check_only(self->nck, 0);
     self->held = self->door = self->checks = self->sleeps = self->waits = self->turned = 0;
     self->feed = self->rapid = self->spindle = WHOLE;
     serve_brake(self, SERVE_THEN_BANNER);
@@ -120,9 +117,7 @@ void serve_hold(serve_t *self, int door) {
     if (self->checks || self->locked || self->sleeps) return;
     if (door) self->door = 1;
     cancel_jog(self);
-    if (jogs || self->phase == SERVE_BRAKES) return;
-    self->held = 1;
-    nck_hold(self->nck);
+    if (!jogs && self->phase != SERVE_BRAKES) self->held = 1;
 }
 
 static void resume(serve_t *self) {
@@ -133,21 +128,18 @@ static void resume(serve_t *self) {
     if (rests && self->phase != SERVE_BRAKES) nck_resume(self->nck);
 }
 
-static uint8_t stepped(uint8_t percent, int by) {
-    enum { LEAST = 10, MOST = 200 };
-    const int next = percent + by;
-    return (uint8_t)(next < LEAST ? LEAST : next > MOST ? MOST : next);
-}
-
-static const int8_t steps[] = {10, -10, 1, -1};
-
-static void change_override(serve_t *self, uint8_t byte) {
-    static const uint8_t rapids[] = {100, 50, 25};
-    if (byte == 0x90) self->feed = WHOLE;
-    else if (byte <= 0x94) self->feed = stepped(self->feed, steps[byte - 0x91]);
-    else if (byte <= 0x97) self->rapid = rapids[byte - 0x95];
-    else if (byte == 0x99) self->spindle = WHOLE;
-    else if (byte >= 0x9a) self->spindle = stepped(self->spindle, steps[byte - 0x9a]);
+// 0x90 … 0x94 the feed, 0x95 … 0x97 rapids, 0x99 … 0x9d the spindle.
+static void change_override(serve_t *self, uint32_t code) {
+    enum { LEAST = 10, MOST = 200, RAPIDS = 5, NONE = 8, SPINDLE = 9 };
+    static const int8_t steps[] = {0, 10, -10, 1, -1};
+    uint8_t *const percent = code < RAPIDS ? &self->feed : &self->spindle;
+    if (code >= RAPIDS && code < NONE) {
+        self->rapid = (uint8_t)(WHOLE >> (code - RAPIDS));
+    } else if (code != NONE) {
+        const int step = steps[code < RAPIDS ? code : code - SPINDLE];
+        const int next = step == 0 ? WHOLE : *percent + step;
+        *percent = (uint8_t)(next < LEAST ? LEAST : next > MOST ? MOST : next);
+    }
     self->ov_in = 0;
     override(self);
 }
@@ -158,11 +150,12 @@ static void obey(serve_t *self, uint8_t byte) {
     case '!': serve_hold(self, 0); break;
     case '~': resume(self); break;
     case 0x18: reset(self); break;
+    case 0x83: serve_say_executed(self); break;
     case 0x84: serve_hold(self, 1); break;
     case 0x85: cancel_jog(self); break;
     case 0xa0: self->turned ^= 2; break;
     case 0xa1: self->turned ^= 1; break;
-    default: change_override(self, byte); break;
+    default: change_override(self, byte - 0x90u); break;
     }
 }
 
@@ -187,8 +180,7 @@ static void clear_line(serve_t *self) {
 // The line in work is over.
 void serve_answer(serve_t *self) {
     if (self->line.error != 0 && !self->line.own) {
-        serve_say_code(self, "error:", self->line.error);
-        serve_say(self, "\r\n");
+        serve_say_two(self, "error:#\r\n", self->line.error, 0);
     } else if (self->then == SERVE_THEN_BANNER) {
         serve_forget(self);
         serve_say(self, banner);
@@ -236,7 +228,8 @@ static void give_own(serve_t *self, const char *text, uint32_t size, serve_then_
     clear_line(self);
     memcpy(self->text, text, size);
     self->line.size = size;
-    self->line.own = self->line.settles = 1;
+    self->line.own = 1;
+    self->line.does = SERVE_LATE;
     self->phase = SERVE_GIVES;
     self->then = (uint8_t)then;
 }
@@ -302,12 +295,18 @@ static int read(serve_t *self, nck_status_t status) {
     return 1;
 }
 
+static int ends_program(const serve_t *self) { return (self->line.does & SERVE_ENDS) != 0; }
+
 // Returns 1 if the kernel has taken it.
 static int give(serve_t *self) {
     size_t used = 0;
     const int goes = self->line.probes ? serve_beside(self, SERVE_AT_PROBE, 0.0) : 1;
     if (goes == 2) serve_answer(self);
     if (goes != 1) return 0;
+    if ((self->line.does & SERVE_SHIFTS) && !serve_is_idle(self)) {
+        nck_flush(self->nck);
+        return 0;
+    }
     if (self->line.jogs && nck_leave_nothing(self->nck) != NCK_OK) return 0;
     nck_name_line(self->nck, self->line.name);
     (void)nck_push(self->nck, self->text, self->line.size, &used);
@@ -322,7 +321,7 @@ static int take(serve_t *self) {
     nck_queue_t queue;
     nck_queue(self->nck, &queue);
     if (self->line.error == 0 && queue.text != 0) return 0;
-    if (self->line.error != 0 || !(self->line.settles || self->line.ends)) {
+    if (self->line.error != 0 || !(self->line.does & (SERVE_LATE | SERVE_ENDS))) {
         if (self->line.jogs && self->line.error == 0) {
             self->jogging = 1;
             override(self);
@@ -330,7 +329,7 @@ static int take(serve_t *self) {
         serve_answer(self);
         return 1;
     }
-    if (!self->line.ends) nck_flush(self->nck);
+    if (!ends_program(self)) nck_flush(self->nck);
     self->phase = SERVE_SETTLES;
     return 1;
 }
@@ -338,12 +337,11 @@ static int take(serve_t *self) {
 static int settle(serve_t *self, nck_status_t status) {
     if (!serve_is_idle(self)) return 0;
     if (self->line.probes) (void)serve_beside(self, SERVE_AT_PROBED, 0.0);
-    if (!self->line.ends) {
+    if (!ends_program(self)) {
         serve_answer(self);
         return 1;
     }
     if (status != NCK_DONE || nck_begin(self->nck) != NCK_OK) return 0;
-    nck_check_only(self->nck, self->checks);
     give_own(self, at_end, sizeof at_end - 1, self->line.own ? SERVE_THEN_OK : SERVE_THEN_ENDED);
     return 1;
 }
@@ -351,7 +349,8 @@ static int settle(serve_t *self, nck_status_t status) {
 static int end_brake(serve_t *self) {
     const int resets = self->then == SERVE_THEN_BANNER;
     if ((resets ? nck_begin(self->nck) : nck_go_on(self->nck)) != NCK_OK) return 0;
-    self->jogging = self->held = 0;
+    self->jogging = 0;
+    self->held = self->door; // a jog is over; a door stays
     self->flushed = 1;
     override(self);
     if (resets) {
@@ -377,7 +376,7 @@ static int revive(serve_t *self) {
 static int has_ended(const serve_t *self) {
     nck_queue_t queue;
     nck_queue(self->nck, &queue);
-    if (!self->line.ends) return 0;
+    if (!ends_program(self)) return 0;
     return self->phase == SERVE_SETTLES || (self->phase == SERVE_TAKES && queue.text == 0);
 }
 
@@ -401,11 +400,18 @@ static void find(serve_t *self) {
     }
 }
 
+// Whoever begins the path anew ends what the kernel was asked for, and the session goes on with it.
+static void keep(serve_t *self) {
+    if (self->held) nck_hold(self->nck);
+    nck_check_only(self->nck, self->checks);
+}
+
 nck_status_t serve_step(serve_t *self) {
     const int heard = hear(self);
     const nck_status_t status = nck_prep(self->nck);
     find(self);
     const int went = serve_beside(self, SERVE_AT_STEP, 0.0) ? 0 : follow(self, status);
+    keep(self);
     if (heard || went || status <= NCK_OK) return NCK_OK;
     return status == NCK_EMPTY ? NCK_EMPTY : NCK_FULL;
 }
@@ -421,6 +427,7 @@ void serve_part(serve_t *self) {
         memset(&self->line, 0, sizeof self->line);
     } else {
         self->line.own = 1;
+        if (self->then == SERVE_THEN_ENDED) self->then = SERVE_THEN_OK;
     }
     if (!idle && self->then != SERVE_THEN_BANNER) serve_hold(self, 0); // a reset goes on
 }

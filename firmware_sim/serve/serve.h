@@ -37,6 +37,15 @@ typedef enum serve_phase {
     SERVE_HOMES = 5   // $H is in work
 } serve_phase_t;
 
+// What a line does, bit by bit.
+typedef enum serve_does {
+    SERVE_LATE = 1,    // ok when it is executed
+    SERVE_ENDS = 2,    // M2 or M30
+    SERVE_SHIFTS = 4,  // it moves the work's zero, which waits for all before it
+    SERVE_MOVES = 8,   // G0 … G3, G80: probing is over
+    SERVE_HAS_AXES = 16 // its axes are no way to go
+} serve_does_t;
+
 // What comes when the line in work, or the brake, is over.
 typedef enum serve_then {
     SERVE_THEN_OK = 0,      // ok
@@ -49,6 +58,7 @@ typedef enum serve_then {
 typedef struct serve_seen {
     double at[NCK_AXIS_MAX]; // [mm, deg]
     double speed;            // [mm/min] of the program's feed
+    double feed;             // the same that is wanted; of a rapid 0
     uint32_t line;           // its N word, 0: none
     uint8_t state;           // nck_tick_state_t
     uint8_t moves;           // 1: the path does
@@ -95,8 +105,7 @@ typedef struct serve {
         uint8_t comment;         // the byte that ends the comment in work; 0: none is
         uint8_t overflow;        // 1: longer than SERVE_LINE_MAX
         uint8_t jogs;            // 1: it is one
-        uint8_t settles;         // 1: ok when it is executed
-        uint8_t ends;            // 1: M2 or M30
+        uint8_t does;            // of serve_does_t
         uint8_t own;             // 1: nobody has sent it, or who has is gone
         uint8_t probes;          // G38.n: n; 0: it does not
         uint32_t name;           // its N word
@@ -111,8 +120,7 @@ typedef struct serve {
         uint32_t head, tail;
         uint32_t signal_head, signal_tail;
         uint32_t lost;           // 1: a byte found no room
-        uint32_t rest;           // bytes of a UTF-8 letter still to be dropped
-        uint32_t control;        // 1: it begins with C2
+        uint32_t rest;           // bytes of a UTF-8 letter still to be dropped; 4: C2 was the last
     } in;
 
     struct {                     // written by the tick

@@ -35,26 +35,33 @@ static uint32_t tenths_of(const serve_number_t *number) {
     return number->whole * TENTHS + number->thousandths / 100;
 }
 
-// Its axes are no way to go: of the codes in tenths those of offsets, places and tool lengths.
-static int has_own_axes(uint32_t code) {
-    const uint32_t whole = code / TENTHS;
-    return whole == 10 || whole == 28 || whole == 30 || whole == 52 || whole == 92 || code == 431;
-}
+// What codes from the least to the most of them, in tenths, do; those of M are 2000 more.
+typedef struct row {
+    uint16_t least, most;
+    uint8_t does; // serve_does_t
+} row_t;
+
+static const row_t rows[] = {
+    {0, 39, SERVE_MOVES}, {40, 40, SERVE_LATE},
+    {100, 109, SERVE_LATE | SERVE_SHIFTS | SERVE_HAS_AXES}, {280, 280, SERVE_HAS_AXES},
+    {281, 281, SERVE_LATE | SERVE_HAS_AXES}, {300, 300, SERVE_HAS_AXES},
+    {301, 301, SERVE_LATE | SERVE_HAS_AXES}, {430, 430, SERVE_SHIFTS},
+    {431, 431, SERVE_SHIFTS | SERVE_HAS_AXES}, {490, 490, SERVE_SHIFTS},
+    {520, 520, SERVE_SHIFTS | SERVE_HAS_AXES}, {540, 593, SERVE_SHIFTS}, {800, 800, SERVE_MOVES},
+    {920, 923, SERVE_SHIFTS | SERVE_HAS_AXES}, {2000, 2010, SERVE_LATE},
+    {2020, 2020, SERVE_ENDS}, {2060, 2060, SERVE_LATE}, {2300, 2300, SERVE_ENDS},
+    {2600, 2600, SERVE_LATE}
+};
 
 static void look_at_word(serve_t *self, char letter, const serve_number_t *number) {
-    const uint32_t code = tenths_of(number);
+    enum { M = 2000 };
+    const uint32_t code = tenths_of(number) + (letter == 'M' ? M : 0);
     if (letter == 'N') self->line.name = number->whole;
-    if (letter == 'M') {
-        if (code == 20 || code == 300) self->line.ends = 1;
-        if (code == 0 || code == 10 || code == 60 || code == 600) self->line.settles = 1;
+    if (letter != 'G' && letter != 'M') return;
+    for (uint32_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        if (code >= rows[k].least && code <= rows[k].most) self->line.does |= rows[k].does;
     }
-    if (letter == 'G' && code >= 382 && code <= 385) {
-        self->probe = self->line.probes = (uint8_t)(code - 380);
-    }
-    if (letter == 'G' && (code < 40 || code == 800)) self->probe = 0;
-    if (letter == 'G' && (code == 40 || code == 100 || code == 281 || code == 301)) {
-        self->line.settles = 1;
-    }
+    if (code >= 382 && code <= 385) self->probe = self->line.probes = (uint8_t)(code - 380);
 }
 
 // Axes alone probe where the line before has.
@@ -69,20 +76,21 @@ static int is_axis(char letter) {
 }
 
 void serve_look(serve_t *self) {
-    int moves = 0, own = 0;
+    int moves = 0;
     const char *at = self->text;
-    const char *const behind = at + self->line.size;
     self->text[self->line.size] = '\0';
-    while (at < behind) {
+    while (*at != '\0') {
         serve_number_t number;
         const char letter = *at++;
         if (letter < 'A' || letter > 'Z') continue;
         if (serve_number(&at, &number)) look_at_word(self, letter, &number);
-        own |= letter == 'G' && has_own_axes(tenths_of(&number));
         moves |= is_axis(letter);
     }
-    if (moves && !own && self->probe && probes_on(self)) self->line.probes = self->probe;
-    if (self->line.probes) self->line.settles = 1;
+    if (self->line.does & SERVE_MOVES) self->probe = 0;
+    if (moves && !(self->line.does & SERVE_HAS_AXES) && self->probe && probes_on(self)) {
+        self->line.probes = self->probe;
+    }
+    if (self->line.probes) self->line.does |= SERVE_LATE;
 }
 
 static int is_jog_code(const serve_number_t *number) {

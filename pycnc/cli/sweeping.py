@@ -109,26 +109,28 @@ def _point(row, axes):
     return " ".join([row["file"], *(f"{key}={row[key]}" for key in axes)])
 
 
-def _lines(found):
-    """Yield the table: the total time of each plan, over the fastest of its program."""
+def _against(row, best):
+    """Return the time of a plan, and how much more that is than the fastest of its program."""
     from pycnc.report.plot import duration
 
+    if row["error"]:
+        return "no time", ""
+    time_s, fastest = row["total_s"], best[row["file"]]
+    more = time_s / fastest - 1 if fastest > 0 else 0.0
+    return duration(time_s), f"+{more:.1%}" if time_s > fastest else "fastest"
+
+
+def _lines(found):
+    """Yield the table: the total time of each plan, over the fastest of its program."""
     best = {}
     for row in found.rows:
         if not row["error"]:
             name = row["file"]
             best[name] = min(best.get(name, row["total_s"]), row["total_s"])
-    heads = ["time", "more", *found.axes, *(["file"] if len(best) > 1 else [])]
-    rows = [heads]
-    for row in found.rows[:_ROWS_SHOWN]:
-        told = [row[key] for key in found.axes] + ([row["file"]] if len(best) > 1 else [])
-        if row["error"]:
-            rows.append(["no time", "", *told])
-            continue
-        fastest = best[row["file"]]
-        more = row["total_s"] / fastest - 1 if fastest > 0 else 0.0
-        over = f"+{more:.1%}" if row["total_s"] > fastest else "fastest"
-        rows.append([duration(row["total_s"]), over, *told])
+    keys = [*found.axes, *(["file"] if len(best) > 1 else [])]
+    rows = [["time", "more", *keys]]
+    rows += [[*_against(row, best), *(row[key] for key in keys)]
+             for row in found.rows[:_ROWS_SHOWN]]  # fmt: skip
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     for row in rows:
         yield "  ".join(cell.rjust(width) for cell, width in zip(row, widths, strict=True)).rstrip()

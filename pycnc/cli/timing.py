@@ -128,6 +128,16 @@ def _aside(unit, work):
     return facts, code, out.getvalue(), err.getvalue()
 
 
+def _facts(planned, override, left_s):
+    """Return what --json tells of a plan."""
+    facts = planned.as_dict()
+    if override != 100:
+        facts["override"] = override
+    if left_s is not None:
+        facts["left_s"] = left_s
+    return facts
+
+
 def _timed(machine, file, *, plan, backend, by, as_json, override, left, quiet):
     """Plan a program and tell its time. Returns (what --json tells of it, exit code)."""
     from pycnc.planning import pipeline
@@ -151,9 +161,7 @@ def _timed(machine, file, *, plan, backend, by, as_json, override, left, quiet):
         except Exception as cause:
             return facts_of_failure(facts, cause) if as_json else {}, explain(cause)
     if as_json:
-        more = {"override": override, "left_s": rest_s}
-        is_asked = {"override": override != 100, "left_s": left is not None}
-        return planned.as_dict() | {k: v for k, v in more.items() if is_asked[k]}, GOOD
+        return _facts(planned, override, rest_s), GOOD
     tell(program, quiet, sys.stderr)
     at_line = [f"  left at line {left}: {_duration(rest_s)}"] if left else []
     parts = _part_lines(planned, shown) if shown else ()
@@ -318,6 +326,13 @@ def _part_cells(part, columns, total_s):
             f"{part['line']:,}"]  # fmt: skip
 
 
+def _aligned(rows):
+    """Return rows of cells as lines, each column as wide as its widest cell."""
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    return ["  ".join(cell.rjust(width) for cell, width in zip(row, widths, strict=True))
+            for row in rows]  # fmt: skip
+
+
 def _part_lines(plan, by):
     """Yield the table of the parts of a program's time."""
     from pycnc.report import times
@@ -328,15 +343,14 @@ def _part_lines(plan, by):
         return
     columns = [name for name in times.KINDS if any(part[f"{name}_s"] > 0 for part in shown)]
     heads = ["time", "share", *(times.KINDS[name] for name in columns), "line"]
-    rows = [_part_cells(part, columns, total_s) for part in shown]
-    widths = [max(map(len, column)) for column in zip(heads, *rows, strict=True)]
+    rows = [heads, *(_part_cells(part, columns, total_s) for part in shown)]
     names = [by, *(part["name"] for part in shown)]
-    for cells, name in zip([heads, *rows], names, strict=True):
-        fields = (cell.rjust(width) for cell, width in zip(cells, widths, strict=True))
-        yield f"  {'  '.join(fields)}  {_short(name)}".rstrip()
+    for cells, name in zip(_aligned(rows), names, strict=True):
+        yield f"  {cells}  {_short(name)}".rstrip()
     if rest:
-        time_s = sum(part["time_s"] for part in rest)
-        yield f"  {_duration(time_s).rjust(widths[0])}  in {len(rest):,} more (all: --json)"
+        time_s = _duration(sum(part["time_s"] for part in rest))
+        width = max(len(row[0]) for row in rows)
+        yield f"  {time_s.rjust(width)}  in {len(rest):,} more (all: --json)"
 
 
 def _short(name, width=60):

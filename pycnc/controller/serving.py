@@ -16,7 +16,7 @@ from pycnc.kernel.session import Session
 
 PASS_S = 0.002  # between two looks at the clock
 LATE_S = 0.02  # of the wall clock, that is made up for; what is later stretches the machine's time
-BACKLOG = 4096  # bytes that wait outside of the session's ring; more stay with the sender
+BACKLOG = 1 << 16  # bytes that are read at once
 
 
 class Tcp:

@@ -169,6 +169,14 @@ def devices():
     return tuple(ours for ours, _ in _found())
 
 
+def _fitting(wanted, everyone):
+    """Return the devices of a kind, or with these words in their name; "": all but checkers."""
+    if not wanted:
+        return [each for each in everyone if each.kind != "oclgrind"]
+    of_kind = [each for each in everyone if each.kind == wanted]
+    return of_kind or [each for each in everyone if wanted.lower() in str(each).lower()]
+
+
 def choose(name=None):
     """Return one device; a DeviceError lists those that are there.
 
@@ -182,10 +190,7 @@ def choose(name=None):
         return name
     wanted = name or os.environ.get("PYCNC_DEVICE", "")
     everyone = devices()
-    fits = [each for each in everyone if each.kind == wanted]
-    fits = fits or [each for each in everyone if wanted.lower() in str(each).lower()]
-    if not wanted:
-        fits = [each for each in fits if each.kind != "oclgrind"]
+    fits = _fitting(wanted, everyone)
     if not fits:
         there = "; ".join(map(str, everyone)) or "none"
         raise errors.DeviceError(

@@ -5,6 +5,8 @@ from pycnc.kernel import kept
 from pycnc.kernel.bind import check, ffi, lib
 
 STEPS = 64  # of preparation between two ticks, at most
+WAITING_MOST = 1 << 24  # bytes in front of a real-time one that is heard at once
+_plain = ffi.new_allocator(should_clear_after_alloc=False)  # what is not used is not there
 
 
 class Session:
@@ -39,7 +41,9 @@ class Session:
         self._machine, self._steps = machine, steps
         self._nck, self._host = ffi.new("nck_t *"), ffi.new("host_serve_t *")
         self._out = ffi.new("char[]", lib.HOST_OUT)
+        self._in = _plain("char[]", WAITING_MOST)
         check(lib.host_serve_init(self._host, self._nck, machine.pointer))
+        lib.host_serve_lend(self._host, self._in, WAITING_MOST)
         if machine.switches is not None:
             inputs, wires, pushed = machine.switches
             self.connect(inputs, **wires)
@@ -137,7 +141,7 @@ class Session:
     @property
     def waiting(self):
         """Return how many bytes wait since the ring has no room for them."""
-        return self._host.in_count
+        return self._host.in_head - self._host.in_tail
 
     @property
     def joints_nm(self):

@@ -77,6 +77,23 @@ def _is_none(text):
         return False
 
 
+def _of_axis(found, axis, joints):
+    """Return (lines to add to an axis' section, what is wrong with its limits)."""
+    wrong = [
+        f"[AXIS_{axis}] {word} is missing or no number above zero"
+        for word in ("MAX_VELOCITY", "MAX_ACCELERATION")
+        if not _number(found, f"AXIS_{axis}", word)
+    ]
+    places = _places_of_jerk(found, axis, joints)
+    wrong += [
+        f"[{section}] {word} is no number above zero; 0 means none"
+        for section, word in places
+        if not _number(found, section, word) and not _is_none(found[section, word])
+    ]
+    a_max = _number(found, f"AXIS_{axis}", "MAX_ACCELERATION")
+    return [f"MAX_JERK = {a_max / RAMP_S:g}"] if a_max and not places else [], wrong
+
+
 def look_at(text):
     """Look through an INI file.
 
@@ -112,16 +129,8 @@ def look_at(text):
             "dense programs are slow"
         )
     for axis in axes:
-        for word in ("MAX_VELOCITY", "MAX_ACCELERATION"):
-            if not _number(found, f"AXIS_{axis}", word):
-                wrong.append(f"[AXIS_{axis}] {word} is missing or no number above zero")
-        a_max = _number(found, f"AXIS_{axis}", "MAX_ACCELERATION")
-        places = _places_of_jerk(found, axis, (joints or {}).get(axis, []))
-        wrong += [
-            f"[{section}] {word} is no number above zero; 0 means none"
-            for section, word in places
-            if not _number(found, section, word) and not _is_none(found[section, word])
-        ]
-        if a_max and not places:
-            add[f"AXIS_{axis}"] = [f"MAX_JERK = {a_max / RAMP_S:g}"]
+        lines, bad = _of_axis(found, axis, (joints or {}).get(axis, []))
+        wrong += bad
+        if lines:
+            add[f"AXIS_{axis}"] = lines
     return {"add": add, "errors": wrong, "notes": notes}

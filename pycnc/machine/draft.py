@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """A machine file that is being written: values with a comment each, in the order of the schema."""
 
+import re
 from decimal import Decimal
 
 from pycnc.machine import schema
@@ -9,6 +10,7 @@ from pycnc.machine.schema import AXES, MachineFile, position_key, unit_of
 
 JERK_RISE_S = Decimal("0.05")  # where nobody says: so long until the highest acceleration
 OWN_DEFAULT = "not in the source: the control's own default"
+_OF_LINE = re.compile(r"(\S+ )?line \d+: ")  # a comment that quotes one
 _WIDTH = 98
 _DIGITS = 20  # before the point; six behind it are kept
 
@@ -65,7 +67,7 @@ class Draft:
                 rise = f"not in the source: all acceleration within {JERK_RISE_S} s"
                 if self.values.get("control.kind", ("nck", ""))[0] != "nck":
                     rise += "; asked for where control.kind is nck"
-                self.axis(letter, "j_max", a_max / JERK_RISE_S, rise)
+                self.axis(letter, "j_max", (a_max if a_max > 0 else 1) / JERK_RISE_S, rise)
             self._stand_within(letter)
 
     def _stand_within(self, letter):
@@ -76,9 +78,15 @@ class Draft:
                 self.put(f"{table}.{position_key(letter)}", place, "0 is outside of the travel")
 
     def sourced(self, problems):
-        """Return problems of keys, with what the values were made of."""
-        told = ((key, words, self.values.get(key, ("", ""))[1]) for key, words in problems)
-        return [(key, f"{words}; {comment}" if comment else words) for key, words, comment in told]
+        """Return problems of keys, with what the values were made of; of each line the first."""
+        told, lines = [], set()
+        for key, words in problems:
+            comment = self.values.get(key, ("", ""))[1]
+            line = _OF_LINE.match(comment)
+            if line is None or line[0] not in lines:
+                told.append((key, f"{words}; {comment}" if comment else words))
+            lines.add(line and line[0])
+        return told
 
     def text(self, head=()):
         """Return the machine file; head: comment lines at its top."""
@@ -90,10 +98,11 @@ class Draft:
             keys = [key for key in self.values if key.rpartition(".")[0] == table]
             keys.sort(key=_rank)
             lines += [_line(key.rpartition(".")[2], *self.values[key]) for key in keys]
-        if self.left:
-            lines += ["", "# Without an equal here:", *(f"#   {words}" for words in self.left)]
-        if self.rest:
-            lines += ["", "# Not about the motion of axes:", *(f"#   {row}" for row in self.rest)]
+        for title, rows in (
+            ("Without an equal here", self.left), ("Not about the motion of axes", self.rest),
+        ):  # fmt: skip
+            if rows:
+                lines += ["", f"# {title}:", *(f"#   {row}" for row in rows)]
         return "\n".join([*lines, ""])
 
 

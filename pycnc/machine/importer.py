@@ -7,6 +7,7 @@ has no equal for is told.
 
 import re
 from decimal import Decimal
+from pathlib import Path
 
 from pycnc import errors
 from pycnc.machine import foreign, of_mills, of_printers
@@ -147,10 +148,13 @@ def read(text, file, folder=None, units=None, deviation=None):
             f"{file}: is no configuration that can be imported: {known}", id="import"
         )
     parse, fill = _READERS[kind]
-    source = Source(file, parse(text, folder), kind, units, deviation)
+    place = None if folder is None else Path(folder, file)
+    source = Source(file, parse(text, place), kind, units, deviation)
+    if source.draft.problems:  # a part of it is not there
+        return source.draft
     letters = fill(source)
     if not letters and not source.draft.problems:
-        source.draft.problems.append(("", "no axis found"))
+        source.draft.problems.append(("", f"no axis found: {_AXES_IN[kind]} would tell of one"))
     if kind not in _PRINTERS:  # of a printer it is the bed's
         source.draft.put("work.zero", "unknown", "whoever clamps the work sets it: --zero says it")
     source.draft.complete(letters)
@@ -159,6 +163,11 @@ def read(text, file, folder=None, units=None, deviation=None):
 
 
 _PRINTERS = ("Klipper (printer.cfg)", "Marlin (M503)", "RepRapFirmware (config.g)")
+_AXES_IN = {  # where a whole configuration has them
+    "LinuxCNC (INI)": "[AXIS_X] or [JOINT_0]", "grbl or grblHAL ($$)": "$110=…",
+    "Klipper (printer.cfg)": "[stepper_x]", "FluidNC (YAML)": "axes: x:",
+    "RepRapFirmware (config.g)": "M203 X…", "Marlin (M503)": "M203 X…",
+}  # fmt: skip
 _READERS = {
     "LinuxCNC (INI)": (forms.linuxcnc, of_mills.linuxcnc),
     "grbl or grblHAL ($$)": (forms.grbl, of_mills.grbl),

@@ -166,15 +166,41 @@ def _places(letters, axes):
     return place, far
 
 
+def _least(letters):
+    return _bits(at for at, switch in letters.items() if switch.end == "least")
+
+
+def _pair(letters):
+    """Return the axis of two motors, each with a switch; None without one."""
+    return next((at for at, switch in letters.items() if switch.second is not None), None)
+
+
+def _wires(inputs, axes, period):
+    """Return where the simulated machine has its switches."""
+    letters, pair = inputs.present(), _pair(inputs.present())
+    place, far = _places(letters, axes)
+    wires = {
+        "wired": _bits(letters), "least": _least(letters), "place_nm": place,
+        "homes_only": _bits(at for at, switch in letters.items() if not switch.limit),
+        "far": _bits(at for at, switch in letters.items() if switch.far is not None),
+        "far_nm": far, "bounce": round(inputs.bounce_ms / period),
+    }  # fmt: skip
+    if pair:
+        wires |= {"pair": AXES.index(pair) + 1, "second_nm": _nm(letters[pair].second)}
+    if inputs.plate_mm is not None:
+        wires["plate_nm"] = _nm(inputs.plate_mm)
+    return wires
+
+
 def switches_of(settings):
     """Return what ``Session.connect`` and ``Session.push`` take; None without [inputs]."""
     inputs = settings.inputs
     if inputs is None:
         return None
     axes, letters = settings.axis.present(), inputs.present()
-    least = _bits(at for at, switch in letters.items() if switch.end == "least")
+    least = _least(letters)
     period = settings.kernel.period_ms
-    pair = next((at for at, switch in letters.items() if switch.second is not None), None)
+    pair = _pair(letters)
     order = sum(AXES.index(at) + 1 << 4 * k for k, at in enumerate(inputs.homed()))
     said = {
         "homes": int(inputs.homing), "limits": int(inputs.limits), "reverse": least,
@@ -183,16 +209,5 @@ def switches_of(settings):
         "debounce": round(inputs.debounce_ms / period),
         "pair": AXES.index(pair) + 1 if pair else 0, "skew": float(inputs.skew_mm),
     }  # fmt: skip
-    place, far = _places(letters, axes)
     pushed = {"door": inputs.door == "open", "emergency": inputs.emergency == "pushed"}
-    wires = {
-        "wired": _bits(letters), "least": least, "place_nm": place,
-        "homes_only": _bits(at for at, switch in letters.items() if not switch.limit),
-        "far": _bits(at for at, switch in letters.items() if switch.far is not None),
-        "far_nm": far, "bounce": round(inputs.bounce_ms / period),
-    }  # fmt: skip
-    if pair:
-        wires |= {"pair": said["pair"], "second_nm": _nm(letters[pair].second)}
-    if inputs.plate_mm is not None:
-        wires["plate_nm"] = _nm(inputs.plate_mm)
-    return said, wires, pushed
+    return said, _wires(inputs, axes, period), pushed

@@ -71,6 +71,22 @@ def _joints(source):
     return {letter: order.find(letter) for letter in AXES if letter in named}
 
 
+def _axis_of_linuxcnc(source, letter, joint, scale):
+    own = (f"axis_{letter}", f"axis_{joint}", f"joint_{joint}")
+    most = "max_angular" if letter in ROTARY_AXES else "max_linear"
+    for quantity, name in (("v_max", "velocity"), ("a_max", "acceleration"), ("j_max", "jerk")):
+        keys = [*((section, f"max_{name}") for section in own), ("traj", f"{most}_{name}"),
+                ("traj", f"max_{name}")]  # fmt: skip
+        default = None if quantity == "j_max" else Decimal(1)  # a unit a second
+        source.axis(letter, quantity, keys, scale, default)
+    _for_offsets(source, letter)
+    # An axis' and its joint's both forbid; where joints are no axes the axis' alone.
+    ends = own if _kinematics(source)[1] == "trivkins" else own[:2]
+    for end, pick in (("min", max), ("max", min)):
+        keys = [(section, f"{end}_limit") for section in ends]
+        source.tightest(letter, end, pick, keys, scale)
+
+
 def linuxcnc(source):
     """Fill in an INI; return the letters of its axes."""
     unit = _length_unit(source)
@@ -78,22 +94,7 @@ def linuxcnc(source):
     joints = _joints(source)
     letters = list(joints)
     for letter, joint in joints.items():
-        rotary = letter in ROTARY_AXES
-        scale = degrees if rotary else unit
-        own = (f"axis_{letter}", f"axis_{joint}", f"joint_{joint}")
-        most = "max_angular" if rotary else "max_linear"
-        for quantity, name in (("v_max", "velocity"), ("a_max", "acceleration"),
-                               ("j_max", "jerk")):  # fmt: skip
-            keys = [*((section, f"max_{name}") for section in own), ("traj", f"{most}_{name}"),
-                    ("traj", f"max_{name}")]  # fmt: skip
-            default = None if quantity == "j_max" else Decimal(1)  # a unit a second
-            source.axis(letter, quantity, keys, scale, default)
-        _for_offsets(source, letter)
-        # An axis' and its joint's both forbid; where joints are no axes the axis' alone.
-        ends = own if _kinematics(source)[1] == "trivkins" else own[:2]
-        for end, pick in (("min", max), ("max", min)):
-            keys = [(section, f"{end}_limit") for section in ends]
-            source.tightest(letter, end, pick, keys, scale)
+        _axis_of_linuxcnc(source, letter, joint, degrees if letter in ROTARY_AXES else unit)
     source.path("path.feed_max_mm_min", [("traj", "max_linear_velocity")], 60 * unit)
     source.path("kernel.period_ms", [("emcmot", "servo_period")], Decimal("1e-6"))
     source.path("spindle.rpm_max", [("spindle_0", "max_forward_velocity")])
@@ -186,6 +187,20 @@ def grbl(source):
     return letters
 
 
+def _travel_of_fluidnc(source, letter, own):
+    travel, comment = source.number((own, "max_travel_mm"))
+    if travel is None:
+        travel, comment = Decimal(1000), OWN_DEFAULT
+    if not travel:
+        _without_travel(source, letter)
+        return
+    at = source.number((f"{own}.homing", "mpos_mm"))[0] or Decimal(0)
+    up = (source.word((f"{own}.homing", "positive_direction")) or "true").lower() == "true"
+    ends = (at - travel, at) if up else (at, at + travel)
+    for end, place in zip(("min", "max"), ends, strict=True):
+        source.draft.axis(letter, end, place, comment)
+
+
 def fluidnc(source):
     """Fill in a config.yaml; return the letters of its axes."""
     letters = source.letters_of("axes.", AXES)
@@ -194,18 +209,7 @@ def fluidnc(source):
         source.axis(letter, "v_max", [(own, "max_rate_mm_per_min")], 1 / Decimal(60),
                     Decimal(1000))  # fmt: skip
         source.axis(letter, "a_max", [(own, "acceleration_mm_per_sec2")], default=Decimal(25))
-        travel, comment = source.number((own, "max_travel_mm"))
-        if travel is None:
-            travel, comment = Decimal(1000), OWN_DEFAULT
-        at, _ = source.number((f"{own}.homing", "mpos_mm"))
-        up = (source.word((f"{own}.homing", "positive_direction")) or "true").lower() == "true"
-        if travel:
-            at = at or Decimal(0)
-            ends = (at - travel, at) if up else (at, at + travel)
-            for end, place in zip(("min", "max"), ends, strict=True):
-                source.draft.axis(letter, end, place, comment)
-        else:
-            _without_travel(source, letter)
+        _travel_of_fluidnc(source, letter, own)
         source.own(f"steps_per_mm.{letter}", [(own, "steps_per_mm")], Decimal(80))
     named = [each for each in source.form.heads.values() if each.startswith("kinematics.")]
     for name in (each.removeprefix("kinematics.") for each in named):

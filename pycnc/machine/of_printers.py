@@ -204,9 +204,20 @@ def marlin(source):
     if extrudes:
         letters = [*letters, _filament(source)]
     source.draft.left.append("travel: M503 does not have it; taken as free")
+    _kinematics_of_marlin(source)
     source.draft.put("dialect.base", "marlin")
     source.draft.put("dialect.feed_default_mm_min", 1500, "until the first F, as Marlin has it")
     return letters
+
+
+def _kinematics_of_marlin(source):
+    """M665 is there where motors are no axes: of a delta with L, else of a SCARA or a polar one."""
+    said = [key for key in source.settings if key[0] == "m665"]
+    if said:
+        name = "a delta of three towers" if ("m665", "l") in said else "a SCARA, or a polar one"
+        source.draft.left.append(
+            f"kinematics: {name} (M665); planned is the tool's path in X Y Z, not its segments"
+        )
 
 
 def _deviation_of_marlin(source):

@@ -43,21 +43,28 @@ def g_code(name):
     return int(whole) * 10 + int(tenths or 0), (letter or "").upper(), int(value or 0)
 
 
+def _is_number(name):
+    return name.isdecimal() and name.isascii() and name == str(int(name))
+
+
+def _problems_of_g(name, own):
+    if g_code(name) is None:
+        yield f"g.{name}", "a G code's name is its number, as in [g.187], [g.5_1], [g.5_1_q1]"
+    if own.action != "tolerance" and own.tolerance_mm != 0:
+        yield f"g.{name}.tolerance_mm", f'only action = "tolerance" has one (is {own.action!r})'
+    if 0 < own.tolerance_mm < Decimal("0.0001"):
+        yield f"g.{name}.tolerance_mm", "must be 0 (exact path) or 0.0001 at least"
+
+
 def code_problems(machine):
     """Yield (path to key, message) of names that are no code's or no work system's."""
     for number in machine.m:
-        if not (number.isdecimal() and number.isascii() and number == str(int(number))):
+        if not _is_number(number):
             yield f"m.{number}", "an M code's name is its number, as in [m.428]"
     for name, own in machine.g.items():
-        if g_code(name) is None:
-            yield f"g.{name}", "a G code's name is its number, as in [g.187], [g.5_1], [g.5_1_q1]"
-        if own.action != "tolerance" and own.tolerance_mm != 0:
-            yield f"g.{name}.tolerance_mm", f'only action = "tolerance" has one (is {own.action!r})'
-        if 0 < own.tolerance_mm < Decimal("0.0001"):
-            yield f"g.{name}.tolerance_mm", "must be 0 (exact path) or 0.0001 at least"
+        yield from _problems_of_g(name, own)
     for number in machine.work.p:
-        known = number.isdecimal() and number.isascii() and number == str(int(number))
-        if not (known and 1 <= int(number) <= lib.NCK_WORK_MOST):
+        if not (_is_number(number) and 1 <= int(number) <= lib.NCK_WORK_MOST):
             yield f"work.p.{number}", f"a system's name is P, 1 to {lib.NCK_WORK_MOST}: [work.p.7]"
     for key, many in (("g", machine.g), ("work.p", machine.work.p)):
         if len(many) > lib.NCK_OWN_M_MAX:

@@ -99,18 +99,24 @@ def _rows(text, name=""):
 class _Included:
     """Files that a configuration names: read from its folder, a bounded number of times."""
 
-    def __init__(self, form, folder):
-        self.form, self.folder, self.count, self.bytes = form, folder, 0, 0
+    def __init__(self, form, place):
+        self.form, self.folder = form, place and place.parent
+        self.count, self.bytes, self.is_over = 0, 0, False
+        self._open = [place and place.resolve()]  # one in another
 
     def rows(self, row, names, folder, must):
         """Yield (rows, folder) of the files that a line names; say what cannot be read."""
         for name in names:
+            if self.is_over:
+                return
             path = Path(folder, os.path.expanduser(name))
             self.count += 1
             words = self._why_not(path)
             if not words:
                 shown = os.path.relpath(path, self.folder)
+                self._open.append(path.resolve())
                 yield _rows(decode(path.read_bytes()), shown), path.parent
+                self._open.pop()
             elif must:
                 self.form.problems.append((row.place, f"{row.text}: {name}: {words}"))
             else:
@@ -119,13 +125,18 @@ class _Included:
     def _why_not(self, path):
         """Return why a file cannot be read; "" if it can."""
         if self.count > _MOST_FILES:
-            return f"more than {_MOST_FILES} files are included, or one includes itself"
+            self.is_over = True
+            return f"more than {_MOST_FILES} files are included"
         try:
+            if path.resolve() in self._open:
+                self.is_over = True
+                return "includes itself, which no control takes; name the files that are meant"
             found = path.stat()
             if not stat.S_ISREG(found.st_mode):
                 return "no file"
             self.bytes += found.st_size
             if self.bytes > _MOST_BYTES:
+                self.is_over = True
                 return f"more than {_MOST_BYTES >> 20} MB are included"
             with path.open("rb"):
                 return ""
@@ -136,11 +147,14 @@ class _Included:
 # ---- LinuxCNC: key = value, # and ; before comments, a backslash before what goes on
 
 
-def linuxcnc(text, folder):
-    """Read an INI of LinuxCNC; `#INCLUDE FILE` in it, but not in what is included."""
+def linuxcnc(text, place):
+    """Read an INI of LinuxCNC; `#INCLUDE FILE` in it, but not in what is included.
+
+    place: path of the file, or None; what it includes is seen from there.
+    """
     form = Form()
     section, begun = "", []
-    for row in _with_includes(form, text, folder):
+    for row in _with_includes(form, text, place):
         bare = _COMMENT.sub("", " ".join(row.raw.replace("\0", " ").split()))
         if not bare and not begun:
             continue
@@ -155,21 +169,21 @@ def linuxcnc(text, folder):
     return form
 
 
-def _with_includes(form, text, folder):
+def _with_includes(form, text, place):
     """Yield the lines of an INI and of the files that it includes."""
-    files = _Included(form, folder)
+    files = _Included(form, place)
     for row in _rows(text):
         found = re.match(r"\s*#INCLUDE\b\s*(.*)", row.raw)
         if not found:
             yield row
             continue
         names = re.sub(r"\s#.*", "", found[1]).split()[:1]
-        if folder is None or not names:
+        if place is None or not names:
             form.rows.append(row)
             form.note(row, "what stands there is not read")
             continue
         told = len(form.notes)
-        for rows, _ in files.rows(row, names, folder, must=False):
+        for rows, _ in files.rows(row, names, place.parent, must=False):
             yield from _without_includes(form, rows)
         if len(form.notes) > told:
             form.rows.append(row)
@@ -200,11 +214,14 @@ def _take_ini(form, section, begun):
 # ---- Klipper: key: value or key = value; what is indented further goes on
 
 
-def klipper(text, folder):
-    """Read a printer.cfg of Klipper; `[include FILES]` in it and in what is included."""
+def klipper(text, place):
+    """Read a printer.cfg of Klipper; `[include FILES]` in it and in what is included.
+
+    place: path of the file, or None; what it includes is seen from there.
+    """
     form = Form()
-    reader = _Klipper(form, _Included(form, folder))
-    reader.read(_rows(text), folder)
+    reader = _Klipper(form, _Included(form, place))
+    reader.read(_rows(text), place and place.parent)
     reader.end_value()
     return form
 
@@ -275,9 +292,9 @@ class _Klipper:
 # ---- grbl: $110=500.000, and of $I what it says of the build
 
 
-def grbl(text, folder):
+def grbl(text, place):
     """Read what $$ and $I print, or what is sent to set it; grbl has no other files."""
-    del folder
+    del place
     form = Form()
     for row in _rows(text):
         if not row.text:
@@ -297,12 +314,12 @@ def grbl(text, folder):
 # ---- Marlin: M203 X300.00 Y300.00 Z20.00 E60.00
 
 
-def marlin(text, folder):
+def marlin(text, place):
     """Read what M503 prints, or what is sent to set it: M words with a number behind each letter.
 
     Of another extruder (T1) the line is told and not read.
     """
-    del folder
+    del place
     form = Form()
     for row in _rows(text):
         bare = re.sub(r";.*", "", re.sub(r"^\s*echo:", "", row.raw, flags=re.I)).strip()
@@ -323,12 +340,12 @@ def marlin(text, folder):
 # ---- RepRapFirmware: M203 X12000 Y12000:12000 E4200:4200
 
 
-def reprap(text, folder):
+def reprap(text, place):
     """Read a config.g: M words with a number behind each letter, of several drivers the first's.
 
     Of M208 "m208.1" are the lower ends, "m208.0" the upper ones; X-5:210 says both.
     """
-    del folder
+    del place
     form = Form()
     for row in _rows(text):
         bare = re.sub(r";.*", "", row.raw).strip()
@@ -363,9 +380,9 @@ def _take_words(form, code, words, row):
 # ---- FluidNC: maps of YAML
 
 
-def fluidnc(text, folder):
+def fluidnc(text, place):
     """Read the maps of YAML: the section of a key is the keys that it stands under."""
-    del folder
+    del place
     form, above = Form(), []
     for row in _rows(text):
         bare = re.sub(r"(?:^|\s)#.*", "", row.raw).rstrip()

@@ -83,7 +83,7 @@ def cures(machine):
     if kind == "klipper":
         yield from _cures_of_klipper(value)
         return
-    yield "acceleration x 2", _accelerations_twice(machine)
+    yield "acceleration x 2", accelerations_twice(machine)
     if kind == "linuxcnc":
         return
     if not own.jerk.present():
@@ -105,7 +105,7 @@ def _cures_of_klipper(value):
     yield "minimum_cruise_ratio 0", {"control.minimum_cruise_ratio": 0}
 
 
-def _accelerations_twice(machine):
+def accelerations_twice(machine):
     """Return the changes that double what axes, and lines of each kind, may accelerate."""
     own, twice = machine.settings.control, {}
     for letter, axis in machine.settings.axis.present().items():

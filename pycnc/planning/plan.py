@@ -79,6 +79,21 @@ def _for_machine(program, machine):
     return Program(program.text, Machine.load(machine), file=program.file)
 
 
+def _records(keep, look, trail):
+    """Return the kinds of records that a planner hands out."""
+    kinds = _KEPT if keep else _KEPT[:1] if look else ()
+    return kinds + (("host_point", "host_foot") if trail else ())
+
+
+def _keep(kept, pieces, cells):
+    """Add pieces to what is kept, of cells so many alone; return how many cells there were."""
+    cells += len(pieces[2])
+    few = len(kept) if cells <= _CELLS_AT_ONCE else len(kept) - 1
+    for arrays, piece in zip(list(kept.values())[:few], pieces, strict=False):
+        arrays.append(copied(piece))
+    return cells
+
+
 class Plan:
     """The plan of a whole program.
 
@@ -171,13 +186,8 @@ class Plan:
         planner = None
         if control.is_foreign(self.program.machine):
             planner = self._as_control(progress, trail, by)
-            self.segs, self.nodes, self._cells = (join(f"nck_{name}_t", []) for name in _KEPT)
-            self.lost = planner.why
-            return planner.totals
-        if not (keep or look or trail or by):
-            planner = beside.end() if beside else None
-            if planner is None and (not beside or beside.is_left):
-                planner = self._side_by_side(progress)
+        elif not (keep or look or trail or by):
+            planner = self._side_by_side(progress, beside)
         if planner is None:
             planner = self._on_one_core(keep, progress, look, trail, by)
         else:
@@ -185,9 +195,15 @@ class Plan:
         self.lost = planner.why
         return planner.totals
 
-    def _side_by_side(self, progress):
-        """Return the planner of all of it, if it is big and there is more than one core."""
+    def _side_by_side(self, progress, before):
+        """Return the planner of all of it, if it is big and there is more than one core.
+
+        before: the pipeline that planned what was read so far; None without one.
+        """
         program, done = self.program, 0
+        planner = before.end() if before else None
+        if planner is not None or (before and not before.is_left):
+            return planner
         if not pipeline.is_worth(program):
             return None
         with pipeline.Pipeline() as beside:
@@ -201,19 +217,15 @@ class Plan:
     def _on_one_core(self, keep, progress, look, trail, by):
         program = self.program
         asked, names = shares.ask(program, by) if by else (None, [])
-        records = _KEPT if keep else _KEPT[:1] if look else ()
-        records += ("host_point", "host_foot") if trail else ()
         planner = kernel.Planner(
-            program.text, program.machine, records, shares=asked, threads=program.has_threads
-        )
+            program.text, program.machine, _records(keep, look, trail), shares=asked,
+            threads=program.has_threads,
+        )  # fmt: skip
         kept = {"nck_seg_t": [], "nck_node_t": [], "nck_cell_t": []}
         cells = 0
         for *pieces, used in planner.pieces():
             if keep:
-                cells += len(pieces[2])
-                few = len(kept) if cells <= _CELLS_AT_ONCE else len(kept) - 1
-                for arrays, piece in zip(list(kept.values())[:few], pieces, strict=False):
-                    arrays.append(copied(piece))
+                cells = _keep(kept, pieces, cells)
             if trail:
                 trail(*pieces[-2:])
             if look:

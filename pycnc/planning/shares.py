@@ -96,8 +96,14 @@ def left(program, parts, line):
     Raises
     ------
     ArgumentError
-        If lines come again, so that a line does not say how far the program is.
+        If lines come again, so that a line does not say how far the program is; or if the program
+        ends before the line.
     """
+    if line > (end := program.end_line):
+        raise errors.ArgumentError(
+            f"the program ends at line {end}: it never comes to line {line}, and nothing is left "
+            f"there; choose a line up to {end}", id="left",
+        )  # fmt: skip
     last = 0
     for blocks in program.pieces():
         lines = np.concatenate([[last], blocks["line"]])

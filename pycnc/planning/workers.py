@@ -90,10 +90,30 @@ class _Worker:
         self.unit = unit
         self.pipe.send(unit)
 
+    def result(self):
+        """Return (unit, result) of a worker that is done; of one who died the result is a Lost."""
+        unit, self.unit = self.unit, None
+        try:
+            return unit, self.pipe.recv()
+        except (EOFError, ConnectionResetError):
+            self.process.join()
+            self.pipe.close()
+            return unit, Lost(f"with exit code {self.process.exitcode}")
+
     def end(self):
         self.process.terminate()
         self.process.join()
         self.pipe.close()
+
+
+def _hand_out(workers, take, hire, jobs):
+    """Give every idle worker a unit while there is one; hire up to as many as `jobs`."""
+    idle = [worker for worker in workers if worker.unit is None]
+    while (idle or len(workers) < jobs) and (unit := take()) is not None:
+        if not idle:
+            idle = [hire()]
+            workers += idle
+        idle.pop().give(unit)
 
 
 def _in_processes(take, work, shared, jobs):
@@ -101,32 +121,20 @@ def _in_processes(take, work, shared, jobs):
     workers = []
     try:
         while True:
-            idle = [worker for worker in workers if worker.unit is None]
-            while idle or len(workers) < jobs:
-                unit = again.pop() if again else take()
-                if unit is None:
-                    break
-                if not idle:
-                    idle = [_Worker(work, shared)]
-                    workers += idle
-                idle.pop().give(unit)
-            busy = [worker for worker in workers if worker.unit is not None]
+            _hand_out(workers, lambda: again.pop() if again else take(),
+                      lambda: _Worker(work, shared), jobs)  # fmt: skip
+            busy = {worker.pipe: worker for worker in workers if worker.unit is not None}
             if not busy:
                 return
-            ready = wait([worker.pipe for worker in busy])
-            for worker in [worker for worker in busy if worker.pipe in ready]:
-                unit, worker.unit = worker.unit, None
-                try:
-                    yield unit, worker.pipe.recv()
-                except (EOFError, ConnectionResetError):
-                    worker.process.join()
-                    worker.pipe.close()
-                    workers.remove(worker)
+            for pipe in wait(list(busy)):
+                unit, result = busy[pipe].result()
+                if isinstance(result, Lost):
+                    workers.remove(busy[pipe])
                     tries[id(unit)] += 1
                     if tries[id(unit)] < TRIES:
                         again.append(unit)
-                    else:
-                        yield unit, Lost(f"with exit code {worker.process.exitcode}")
+                        continue
+                yield unit, result
     finally:
         for worker in workers:
             worker.end()

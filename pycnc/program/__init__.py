@@ -52,15 +52,25 @@ class Program:
     def __init__(self, text, machine, *, file="<text>", keep=True, progress=None, beside=None):
         self.text = text if isinstance(text, bytes) else bytes(text)
         self.lines = Lines(b"" if isinstance(self.text, kernel.Blocks) else self.text)
-        self.file, self.diagnostics, kept, self.block_count = file, Diagnostics(), [], 0
+        self.file, self.diagnostics, self.block_count = file, Diagnostics(), 0
         self.machine = machine = self._choose_dialect(machine)
         if machine.settings.dialect.programs and not isinstance(self.text, kernel.Blocks):
             self._join_programs()
         self._veil(machine)
         if machine.settings.work.zero == "unknown":
-            machine = self.machine = self._lay_travel(machine)
+            self.machine = self._lay_travel(machine)
         self.tolerance_most_mm, self.has_threads, self._end = 0.0, False, 0
-        wording = Wording(file, self.lines, machine, self._places())
+        kept = self._decode(keep, progress, beside)
+        self.blocks = join("nck_block_t", kept) if keep else None
+        self._moves = None
+        if not isinstance(self.text, kernel.Blocks):
+            self._tell_kind()
+            self._tell_remarks()
+
+    def _decode(self, keep, progress, beside):
+        """Go through the text once; return arrays of its blocks, if they are kept."""
+        machine, kept = self.machine, []
+        wording = Wording(self.file, self.lines, machine, self._places())
         another = beside.another if beside else None
         for blocks, findings, used in kernel.decode(self.text, machine, another):
             wording.add(self.diagnostics, limits.heard(findings, machine))
@@ -75,11 +85,7 @@ class Program:
             if progress:
                 progress(used, len(self.text))
             self._end = _line_of_end(blocks, self._end)
-        self.blocks = join("nck_block_t", kept) if keep else None
-        self._moves = None
-        if not isinstance(self.text, kernel.Blocks):
-            self._tell_kind()
-            self._tell_remarks()
+        return kept
 
     def _places(self):
         """Return where the lines of programs of other files begin."""
@@ -136,8 +142,8 @@ class Program:
         placed = zero.place(self.text, machine)
         if placed.message:
             self.diagnostics.add(
-                Diagnostic(self.file, 0, 0, placed.identity, placed.severity, placed.message,
-                           placed.remedy)
+                Diagnostic(self.file, placed.line, 0, placed.identity, placed.severity,
+                           placed.message, placed.remedy, self.lines[placed.line])
             )  # fmt: skip
         return placed.machine
 
@@ -193,14 +199,23 @@ class Program:
         Parameters
         ----------
         sequence : iterable of dict, or numpy.ndarray
-            Each with a ``kind`` ("rapid", "line", "arc", "dwell", "m", "s", "t" or "set") and what
-            belongs to it (docs/firmware.md, section 9); or rows of dtype ``nck_block_in_t``.
+            Each with a ``kind`` and the keys below; or rows of dtype ``nck_block_in_t``.
         machine : str, path or Machine
 
         Returns
         -------
         Program
             A move's line in traces, plans and diagnostics is its ``id``, else its place, from 1.
+
+        Notes
+        -----
+        "rapid" and "line" take x y z a b c u v w, the target [mm, deg]; an axis without one stays.
+        "arc" also takes ``centre``, two coordinates along the plane's axes [mm]; ``turns``, how
+        often the target is passed, + anticlockwise, − clockwise; ``plane``, 17 (XY), 18 or 19.
+        "dwell" takes ``seconds``, "m" ``code``, "s" ``rpm``, "t" ``number``; "set" sets what
+        follows. Every kind takes ``feed`` with ``feed_mode`` ("per_minute", "inverse", "per_rev"),
+        ``path`` ("exact", "stop") or ``tolerance`` [mm], which stay in force, and ``id``. A number
+        outside of its range is an ``ArgumentError`` with the move's place.
 
         Examples
         --------
@@ -214,6 +229,11 @@ class Program:
         """
         rows = moves.rows_of(sequence)
         return cls(kernel.Blocks(rows.tobytes()), Machine.load(machine), file="<moves>")
+
+    @property
+    def end_line(self):
+        """The last line that is executed: the one with M2 or M30, else the text's last one."""
+        return self._end or len(self.lines) or self.block_count
 
     @property
     def sha256(self):

@@ -2,7 +2,7 @@
 """What is wrong with a program, in words: the kernel gives ids and numbers, this file words."""
 
 import re
-from collections import Counter
+from collections import Counter, defaultdict
 from dataclasses import dataclass
 from decimal import Decimal
 
@@ -13,6 +13,7 @@ from pycnc.program.shown import Tables, frame, rows_table
 from pycnc.program.wording import WORDING
 
 SHOWN_PER_ID = 20  # findings of one id that are told in full; the rest is counted
+_LINES_NAMED = 5  # of those that say the same
 _EXCERPT = 100  # characters of a source line that are shown around the column
 _NUMBER = 40  # characters of a number that are shown
 _DIALECTS = {1: "Heidenhain Klartext", 2: "Sinumerik", 3: "Okuma"}
@@ -128,13 +129,23 @@ class Diagnostics(Tables):
 
     def text(self, file, colour=False, without=()):
         """Return all of it as text but for some ids, empty if there is nothing to say."""
-        lines = [finding.text(colour) for finding in self.shown if finding.id not in without]
-        for name, severity, count in self.hidden():
-            if name in without:
-                continue
-            lines.append(
-                f"{file}: {_tag(severity, name, colour)}: {count} more like this are not shown"
-            )
+        told, again = {}, defaultdict(list)  # what is said in the same words is said once
+        for finding in self.shown:
+            same = finding.id, finding.message
+            if same in told:
+                again[finding.id].append(finding.line)
+            elif finding.id not in without:
+                told[same] = finding
+        lines = [finding.text(colour) for finding in told.values()]
+        severities = {finding.id: finding.severity for finding in told.values()}
+        once = Counter(finding.id for finding in told.values())
+        for name, severity in severities.items():
+            if count := self.counts[name] - once[name]:
+                places = _places(again[name], count)
+                lines.append(
+                    f"{file}: {_tag(severity, name, colour)}: {count} more like this are not shown"
+                    f"{places}"
+                )
         return "\n".join(lines)
 
     def as_list(self):
@@ -275,6 +286,13 @@ def _wording(name, fields):
         if key in WORDING:
             return WORDING[key]
     return WORDING[name]
+
+
+def _places(lines, count):
+    """Return the lines of findings that are not shown, the first ones of so many."""
+    some = ", ".join(f"{line}" for line in lines[:_LINES_NAMED] if line)
+    more = " …" if count > len(lines[:_LINES_NAMED]) else ""
+    return f": line{'s' * (count > 1)} {some}{more}" if some else ""
 
 
 def _id(code):

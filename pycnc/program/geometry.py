@@ -46,7 +46,8 @@ class Moves:
         end_nm = np.where((last >= 0)[:, None], position[last], start_nm)
         counts = counts_per_unit(machine.record["axis"]["rotary"])
         self.end = end_nm / counts
-        self.start = np.concatenate([[start_nm / counts], self.end])[:-1]
+        self._begin = start_nm / counts
+        self.start = np.concatenate([[self._begin], self.end])[:-1]
         self.is_arc = blocks["kind"] == lib.NCK_BLOCK_ARC
         self._arcs(blocks)
         self._length = np.where(is_thread, 0.0, self._lengths()).cumsum()
@@ -99,7 +100,7 @@ class Moves:
 
     def corners(self):
         """Return (points, the block of each) that no move reaches beyond: -1 is the start's."""
-        corners = [self.start[:1], self.end]
+        corners = [self._begin[None], self.end]
         owners = [np.arange(-1, len(self.end))]
         arc = np.flatnonzero(self.is_arc)
         for quarter in range(4):  # an arc reaches beyond its ends only on its quadrants

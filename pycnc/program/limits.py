@@ -85,10 +85,15 @@ def words_of(identity, name, count):
 
 def heard(findings, machine):
     """Return what holds of the kernel's findings (dtype ``nck_diagnostic_t``) with a machine's
-    control: of a printer's planner the limits that a program sets are in force, and no note."""
-    if machine.settings.control.kind not in PRINTERS:
+    control: of a printer's planner the limits that a program sets are in force, and no note;
+    Klipper takes no feed of 0 or less, and ends the print there."""
+    kind = machine.settings.control.kind
+    if kind not in PRINTERS:
         return findings
-    return findings[findings["code"] != lib.NCK_NOTE_LIMITS]
+    kept = findings[findings["code"] != lib.NCK_NOTE_LIMITS]
+    if kind == "klipper":
+        kept["code"][kept["code"] == lib.NCK_NOTE_FEED_KEPT] = lib.NCK_E_NUMBER_RANGE
+    return kept
 
 
 def changes(text, machine):
@@ -129,22 +134,32 @@ def _is_good(name, to):
     return to >= 0 if name == b"SQUARE_CORNER_VELOCITY" else to > 0
 
 
+def _accelerations(said):
+    """Yield what M204 changes: S is of printing moves and travel."""
+    for letters, value in (
+        ("SP", lib.NCK_CONTROL_A_PATH), ("ST", lib.NCK_CONTROL_A_TRAVEL),
+        ("R", lib.NCK_CONTROL_A_RETRACT),
+    ):  # fmt: skip
+        yield from ((value, said[letter]) for letter in letters if said.get(letter, 0) > 0)
+
+
+# What M205 says beside jerks of axes: the number, and its unit here.
+_CORNERS = {"J": (lib.NCK_CONTROL_DEVIATION, 1.0), "B": (lib.NCK_CONTROL_SEGMENT_S, 1e-6)}
+
+
 def _of_marlin(code, words):
     if code is None:
         return
     said = {letter.decode(): float(to) for letter, to in _WORD.findall(words) if float(to) >= 0}
     if code == b"204":
-        for letters, value in (
-            ("SP", lib.NCK_CONTROL_A_PATH), ("ST", lib.NCK_CONTROL_A_TRAVEL),
-            ("R", lib.NCK_CONTROL_A_RETRACT),
-        ):  # fmt: skip
-            yield from ((value, said[letter]) for letter in letters if said.get(letter, 0) > 0)
+        yield from _accelerations(said)
         return
+    is_corner = code == b"205"
     for letter, to in said.items():
+        if to == 0 and not is_corner:  # nothing would move any more
+            continue
         if letter in "XYZABCE":
-            axis = AXES.index("u" if letter == "E" else letter.lower())
-            yield _BY_AXIS[code] + axis, to
-        elif code == b"205" and letter == "J":
-            yield lib.NCK_CONTROL_DEVIATION, to
-        elif code == b"205" and letter == "B":
-            yield lib.NCK_CONTROL_SEGMENT_S, to * 1e-6
+            yield _BY_AXIS[code] + AXES.index("u" if letter == "E" else letter.lower()), to
+        elif is_corner and letter in _CORNERS:
+            number, unit = _CORNERS[letter]
+            yield number, to * unit

@@ -76,8 +76,7 @@ def _set_tolerance(row, tolerance):
     row["tolerance"] = tolerance
 
 
-def _fill(row, move, place):
-    kind = move.get("kind")
+def _check_keys(kind, move):
     if kind not in _KINDS:
         raise ValueError(f"no kind {kind!r}; there are: {', '.join(_KINDS)}")
     own = {"arc": ("centre", "turns", "plane"), "set": ()}.get(kind, ())
@@ -85,22 +84,28 @@ def _fill(row, move, place):
     known += (_VALUES[kind],) if kind in _VALUES else ()
     if strange := [key for key in move if key not in known]:
         raise ValueError(f"no {strange[0]!r} in a {kind}; there are: {', '.join(known)}")
+
+
+def _needed(move, key):
+    if key not in move:
+        raise ValueError(f"{key!r} is missing")
+    return move[key]
+
+
+def _fill(row, move, place):
+    kind = move.get("kind")
+    _check_keys(kind, move)
     row["id"], row["kind"] = move.get("id", place), _KINDS[kind]
     _set(row, move)
     if kind in _VALUES:
-        row["value"] = move[_VALUES[kind]] if _VALUES[kind] in move else _missing(_VALUES[kind])
+        row["value"] = _needed(move, _VALUES[kind])
     for axis, letter in enumerate(AXES):
         if letter in move:
             row["axes"] |= 1 << axis
             row["target"][axis] = move[letter]
     if kind == "arc":
-        row["centre"] = move["centre"] if "centre" in move else _missing("centre")
-        row["turns"] = move["turns"] if "turns" in move else _missing("turns")
+        row["centre"], row["turns"] = _needed(move, "centre"), _needed(move, "turns")
         row["plane"] = move.get("plane", 17)
-
-
-def _missing(key):
-    raise ValueError(f"{key!r} is missing")
 
 
 def _set(row, move):

@@ -57,6 +57,9 @@ WORDING = {
         "S{value} is out of range (limit {limit})",
         "choose another speed, or set the machine's: --set spindle.rpm_max=…",
     ),
+    "number-range:F0": (
+        "F0 is no speed that Klipper takes: it ends the print", "say a feed, or leave F out"
+    ),
     "number-range:R": (
         "R{value} is out of range (limit {limit})",
         "check number and units; in a cycle R lies above the bottom, a taper beside its end",
@@ -303,6 +306,14 @@ WORDING = {
     "limits-stay": (
         "M201 to M205 change limits of a printer's firmware: here the machine's hold",
         "set them in the machine file, as in --set axis.x.a_max_mm_s2=1000",
+    ),
+    "assumed-length": (
+        "the machine file has no tools: 0 is taken for the length of tool {value:.0f}, and of all",
+        "to say it: [tool.{value:.0f}] in the machine file, or a tool table: --tools tool.tbl",
+    ),
+    "feed-kept": (
+        "{found} is no feed: Marlin does not hear it, and the one before stays",
+        "say a feed, or leave F out: Klipper ends a print there",
     ),
     "speed-clipped": (
         "{found} is above spindle.rpm_max: grbl clips it there, and so are all like it",

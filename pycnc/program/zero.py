@@ -12,18 +12,16 @@ from typing import NamedTuple
 import numpy as np
 
 from pycnc import errors, kernel
-from pycnc.kernel.records import copied, join
 from pycnc.machine import Machine
 from pycnc.machine.quantity import TRAVEL_LIMIT
 from pycnc.machine.schema import AXES, WORK_SYSTEMS, position_key, unit_of
-from pycnc.program.geometry import Moves, is_move
+from pycnc.program.reach import free_reach_of, line_beyond, reach_of
 
 # Words that lead to places of the machine, which stay where they are when the work is moved.
 _OF_MACHINE = re.compile(rb"G *0*(28|30|53)(?![\d])", re.I)
 # Two places of the zero by which those are told from the work's, and no program has them. [mm]
 _ZEROS = Decimal("137.035999"), Decimal("271.828183")
 _FREE = Decimal(-TRAVEL_LIMIT), Decimal(TRAVEL_LIMIT)
-_SAME = 1e-6  # mm: the kernel counts nanometres
 _REMEDY = "--zero X,Y,Z says where the program's zero lies, in machine coordinates"
 
 
@@ -35,6 +33,7 @@ class Placed(NamedTuple):
     severity: str = ""
     message: str = ""
     remedy: str = ""
+    line: int = 0
 
 
 def changes(words, machine):
@@ -66,26 +65,110 @@ def changes(words, machine):
 
 
 def place(text, machine):
-    """Return a machine with a zero from which a program fits its travel, as `Placed`."""
-    settings = machine.settings
-    ends = {letter: _travel(axis, letter) for letter, axis in settings.axis.present().items()}
-    ends = {letter: pair for letter, pair in ends.items() if pair != _FREE}
-    begin = {letter: _zero(settings, letter) for letter in machine.axes}
-    free = {key: "free" for letter in ends for key in _end_keys(letter)}
+    """Return a machine with a zero from which a program fits its travel, as `Placed`.
+
+    It begins at that zero; where the travel does not have it, a program that goes elsewhere by
+    rapids first begins at the end of the first one.
+    """
+    ends = _ends(machine.settings)
+    zeros = {letter: _zero(machine.settings, letter) for letter in machine.axes}
     if not ends:
-        return Placed(_laid(machine, begin))
-    low, high = _reach(text, machine, free)
-    needs = {letter: _need(low, high, letter) for letter in ends}
-    narrow = [letter for letter, (down, up) in needs.items()
-              if up - down > ends[letter][1] - ends[letter][0]]  # fmt: skip
-    if narrow:
-        return _too_large(_laid(machine, begin, free), needs, ends, narrow)
-    begin |= {letter: _between(needs[letter], ends[letter], begin[letter]) for letter in ends}
-    size = f"needs {_size(needs)}: fits into {_size(ends)}"
-    return Placed(
-        _laid(machine, begin, (), ends), "work-zero", "note",
-        f"{size}; where the work lies is not known, and it is taken to lie so", _REMEDY,
-    )  # fmt: skip
+        return Placed(_laid(machine, zeros))
+    bare = {key: "free" for letter in ends for key in _end_keys(letter)}
+    bare["dialect.from_line"] = 0  # wherever it begins, the work lies where the whole of it fits
+    where = _zeros_tried(text)
+    found = reach_of(text, [_at(machine, at, bare) for at in where], _floats(where))
+    if found.has_errors:  # they are told where they are, and no others that come of them
+        return Placed(_laid(machine, zeros, bare))
+    return _within(text, machine, bare, ends, found)
+
+
+def _within(text, machine, bare, ends, found):
+    """Return a machine whose travel has what a program reaches, or what is too large."""
+    zeros = {letter: _zero(machine.settings, letter) for letter in machine.axes}
+    needs = {letter: found.need(letter, found.cuts[AXES.index(letter)]) for letter in ends}
+    spans = {letter: found.need(letter, True) for letter in ends}
+    begins = _begins(text, machine, bare, _narrow(spans, ends), needs, ends)
+    spans |= {letter: needs[letter] for letter in begins}
+    narrow = _narrow(spans, ends)
+    if not narrow:
+        zeros |= {letter: _between(spans[letter], ends[letter], zeros[letter]) for letter in ends}
+        return _fitting(machine, zeros, begins, needs, ends)
+    too_long = _narrow(needs, ends)
+    begun = [each for each in narrow if found.cuts[AXES.index(each)] or each not in too_long]
+    needs |= {letter: spans[letter] for letter in begun}
+    begin = [0.0] if narrow[0] in begun else []
+    line = _line_beyond(text, machine, bare, narrow[0], ends, begin)
+    return _too_large(_laid(machine, zeros, bare), needs, ends, narrow, line, begun)
+
+
+def _ends(settings):
+    """Return letter → both ends of its travel, of the axes that have any."""
+    ends = {letter: _travel(axis, letter) for letter, axis in settings.axis.present().items()}
+    return {letter: pair for letter, pair in ends.items() if pair != _FREE}
+
+
+def _narrow(needs, ends):
+    """Return the axes whose travel is less than what a program needs."""
+    return [letter for letter in ends if not _fits(needs[letter], ends[letter])]
+
+
+def _fitting(machine, zeros, begins, needs, ends):
+    """Return a machine whose work lies there, and what is said of it."""
+    start = {letter: at + zeros[letter] * is_work for letter, (at, is_work) in begins.items()}
+    words = f"needs {_size(needs)}: fits into {_size(ends)}"
+    words += "; where the work lies is not known, and it is taken to lie so"
+    if start:
+        words += f"; where {_named(start)} begins neither: the first way there is not counted"
+    return Placed(_laid(machine, zeros, (), start), "work-zero", "note", words, _REMEDY)
+
+
+def _begins(text, machine, bare, narrow, needs, ends):
+    """Return letter → (place, whether it is the work's) where axes begin that may do so anywhere.
+
+    What these need is put among the needs.
+    """
+    if not narrow:
+        return {}
+    where, off = _zeros_tried(text), _ZEROS[1] - _ZEROS[0]
+    start = {letter: where[0] + off for letter in narrow}
+    machines = [*(_at(machine, at, bare) for at in where), _at(machine, where[0], bare, start)]
+    shift = np.array([float(off) if letter in narrow else 0.0 for letter in AXES])
+    found = free_reach_of(text, machines, _floats([*where, where[0]]), shift)
+    begins = {}
+    for letter in narrow:
+        k = AXES.index(letter)
+        need = found.need(letter, False)
+        if k not in found.first or found.hangs[k] or found.cuts[k]:
+            continue
+        needs[letter] = need
+        if _fits(need, ends[letter]):
+            at, is_work = found.first[k]
+            begins[letter] = round(Decimal(at if is_work else at + float(where[0])), 6), is_work
+    return begins
+
+
+def _line_beyond(text, machine, bare, letter, ends, begin):
+    room, at = float(ends[letter][1] - ends[letter][0]), _ZEROS[0]
+    return line_beyond(text, _at(machine, at, bare), float(at), letter, room, begin)
+
+
+def _zeros_tried(text):
+    """Return places of the zero by which the machine's places are told from the work's."""
+    plain = isinstance(text, kernel.Blocks) or not _OF_MACHINE.search(text)
+    return _ZEROS[:1] if plain else _ZEROS
+
+
+def _at(machine, at, more, start=()):
+    return _laid(machine, dict.fromkeys(machine.axes, at), more, start)
+
+
+def _floats(places):
+    return [float(at) for at in places]
+
+
+def _fits(need, ends):
+    return need[1] - need[0] <= ends[1] - ends[0]
 
 
 def _zeros(machine, places):
@@ -109,73 +192,20 @@ def _zero(settings, letter):
     return getattr(settings.work, settings.start.work_system).along(letter)
 
 
-def _need(low, high, letter):
-    """Return from where to where a program goes along an axis; nowhere: (0, 0)."""
-    k = AXES.index(letter)
-    if low[k] > high[k]:
-        return Decimal(0), Decimal(0)
-    return tuple(round(Decimal(float(end)), 6) for end in (low[k], high[k]))
-
-
-def _reach(text, machine, free):
-    """Return the least and the largest place of the work along every axis, from its zero."""
-    zeros = _ZEROS
-    if isinstance(text, kernel.Blocks) or not _OF_MACHINE.search(text):
-        zeros = _ZEROS[:1]
-    machines = [_laid(machine, dict.fromkeys(machine.axes, at), free) for at in zeros]
-    low, high = np.full(len(AXES), np.inf), np.full(len(AXES), -np.inf)
-    for points, is_work in _corners(text, machines, [float(at) for at in zeros]):
-        low = np.minimum(low, np.where(is_work, points, np.inf).min(axis=0, initial=np.inf))
-        high = np.maximum(high, np.where(is_work, points, -np.inf).max(axis=0, initial=-np.inf))
-    return low, high
-
-
-def _laid(machine, zeros, more=(), ends=None):
-    """Return a machine whose work lies elsewhere: letter → zero. It begins there, or near it."""
-    start = dict(zeros)
-    for letter, (low, high) in (ends or {}).items():
-        start[letter] = min(max(zeros[letter], low), high)
+def _laid(machine, zeros, more=(), start=()):
+    """Return a machine whose work lies elsewhere: letter → zero. It begins there; start: or here"""
     told = {"work.zero": "told"} | _zeros(machine, zeros) | dict(more)
-    told |= {f"start.{position_key(letter)}": at for letter, at in start.items()}
+    begin = zeros | dict(start)
+    told |= {f"start.{position_key(letter)}": at for letter, at in begin.items()}
     return Machine.load(machine, set=told)
 
 
-def _corners(text, machines, zeros):
-    """Yield (points from the zero, which of them are the work's) of a program, piece by piece."""
-    before = [None] * len(machines)
-    for pieces in zip(*(kernel.decode(text, each) for each in machines), strict=False):
-        found = []
-        for k, (blocks, *_) in enumerate(pieces):
-            rows = copied(blocks)
-            if before[k] is not None:
-                rows = join("nck_block_t", [before[k], rows])
-            moves = Moves(rows, machines[k])
-            points, owners = moves.corners()
-            found.append(points[owners >= (before[k] is not None)] - zeros[k])
-            before[k] = _last_move(rows)
-        if len({len(points) for points in found}) > 1:  # where they part nothing is known
-            return
-        is_work = np.ones(found[0].shape, bool)
-        for points in found[1:]:
-            is_work &= np.abs(points - found[0]) < _SAME
-        yield found[0], is_work
-
-
-def _last_move(rows):
-    """Return the last block that moves, where the next piece begins; None: none yet."""
-    moves = np.flatnonzero(is_move(rows))
-    return rows[moves[-1] : moves[-1] + 1] if moves.size else None
-
-
-def _between(need, ends, zero):
-    """Return a zero from which a need is within the travel: near its own one, whole if it can be.
+def _between(span, ends, zero):
+    """Return a zero from which a span is within the travel: near its own one, whole if it can be.
 
     A whole number keeps whole steps what they are.
     """
-    down, up = min(need[0], Decimal(0)), max(need[1], Decimal(0))
-    if up - down > ends[1] - ends[0]:
-        down, up = need
-    low, high = ends[0] - down, ends[1] - up
+    low, high = ends[0] - span[0], ends[1] - span[1]
     at = min(max(zero, low), high)
     whole = at.to_integral_value(ROUND_FLOOR if at == high else ROUND_CEILING)
     return whole if low <= whole <= high and at != zero else at
@@ -191,12 +221,17 @@ def _units(spans):
     return "/".join(dict.fromkeys(unit_of(letter) for letter in spans))
 
 
-def _too_large(machine, needs, ends, narrow):
-    """Say once that a program needs more room than there is."""
+def _too_large(machine, needs, ends, narrow, line, begun):
+    """Say once that a program needs more room than there is, and by which line."""
     lacks = ", ".join(
         f"{letter.upper()} has {float(ends[letter][1] - ends[letter][0]):g}" for letter in narrow
     )
-    message = f"needs {_size(needs)}: does not fit, {lacks}"
+    counted = f", with its zero, where {_named(begun)} begins" if begun else ""
+    message = f"needs {_size(needs)}{counted}: does not fit, {lacks}"
     key = f"axis.{narrow[0]}.max_{unit_of(narrow[0])}"
     remedy = f"if the machine has more: --set {key}=…; another unit than the program's: G20, G21"
-    return Placed(machine, "travel", "error", message, remedy)
+    return Placed(machine, "travel", "error", message, remedy, line)
+
+
+def _named(letters):
+    return " and ".join(letter.upper() for letter in letters)

@@ -52,17 +52,20 @@ def _motion(block, letters, units):
         per_inch = 25.4 if units == "inch" and mode != 1 else 1.0
         motion["feed"] = float(block["feed"]) / per_inch
         motion["feed_unit"] = _FEED_UNITS[units][mode]
+    return motion | _beside_path(block, kind)
+
+
+def _beside_path(block, kind):
+    """Return what a block says that is not its path: of a spindle's turns, a rest, an output."""
     if kind == "thread":
         thread = block["thread"]
-        motion["lead_mm"], motion["turn"] = float(thread["lead"]), float(thread["turn"])
+        return {"lead_mm": float(thread["lead"]), "turn": float(thread["turn"])}
     if kind == "tap":
         tap = block["tap"]
-        motion["lead_mm"], motion["way_mm"] = float(tap["lead"]), [float(x) for x in tap["way"]]
+        return {"lead_mm": float(tap["lead"]), "way_mm": [float(x) for x in tap["way"]]}
     if kind == "dwell":
-        motion["seconds"] = float(block["dwell_s"])
-    if kind in ("output", "wait", "end"):
-        motion["output"] = _output(block["output"])
-    return motion
+        return {"seconds": float(block["dwell_s"])}
+    return {"output": _output(block["output"])} if kind in ("output", "wait", "end") else {}
 
 
 def _decimal(nm, letter, units):

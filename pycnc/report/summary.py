@@ -125,6 +125,12 @@ def _limits(trace):
     return table
 
 
+def _ratios(peak, told, limited):
+    """Return peaks of speed, acceleration and, where it is told, jerk; limited: the jerk is."""
+    return [_ratio(peak[kind], told and (limited or kind != "j")) if kind in peak else ""
+            for kind in ("vaj" if told else "va")]  # fmt: skip
+
+
 def _peaks(trace):
     peaks, slope = trace.summary["peaks"], trace.summary["slope"]
     told = any("j" in peak for peak in peaks.values())
@@ -132,11 +138,10 @@ def _peaks(trace):
                *([("jerk", "right")] if told else []))  # fmt: skip
     table = _table(*columns)
     for letter, peak in peaks.items():
-        axis, limited = letter != "path", letter == "path" and slope != "linear"
-        if axis or not told or slope != "optimal" or max(peak.values()) > 0:  # else: by the axes
-            ratios = [_ratio(peak[kind], told and (limited or kind != "j")) if kind in peak else ""
-                      for kind in ("vaj" if told else "va")]  # fmt: skip
-            table.add_row(f"  {letter.upper() if axis else letter}", *ratios)
+        if letter != "path":
+            table.add_row(f"  {letter.upper()}", *_ratios(peak, told, False))
+        elif not told or slope != "optimal" or max(peak.values()) > 0:  # else: by the axes
+            table.add_row(f"  {letter}", *_ratios(peak, told, slope != "linear"))
     error = f"largest distance of path and program: {trace.summary['path_error_mm']:.1e} mm"
     words = [error, *(_jerk_words(trace.summary) if told else _control_words(trace))]
     return Group(table, *(Padding(Text(each, "dim"), (0, 0, 0, 2)) for each in words))

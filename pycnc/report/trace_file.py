@@ -291,24 +291,29 @@ def _read_npz(path, wanted):
     return columns, facts.pop("units", {}), names, facts
 
 
-def _read_csv(path, wanted):
-    """Read text: its words become codes by their order of appearance."""
-    facts, names, columns = {}, {}, {}
+def _cells(path):
+    """Return (facts in the lines before the head, the head, rows of cells) of a text."""
+    facts = {}
     with path.open(encoding="utf-8", errors="surrogateescape", newline="") as file:
         place = file.tell()
         while (line := file.readline()).startswith("#"):
             key, _, value = line[1:].strip().partition(": ")
             facts[key], place = value, file.tell()
         file.seek(place)
-        rows = list(csv.reader(file))
-    heads, rows = (rows[0], rows[1:]) if rows else ([], [])
-    short = next((k for k, row in enumerate(rows) if len(row) != len(heads)), None)
-    if short is not None:
-        line = short + len(facts) + 2
-        raise errors.ArgumentError(
-            f"{path}:{line}: has {len(rows[short])} cells, not {len(heads)}: the file is not whole",
-            id="log",
-        )
+        heads, *rows = list(csv.reader(file)) or [[]]
+    for line, row in enumerate(rows, len(facts) + 2):
+        if len(row) != len(heads):
+            raise errors.ArgumentError(
+                f"{path}:{line}: has {len(row)} cells, not {len(heads)}: the file is not whole",
+                id="log",
+            )
+    return facts, heads, rows
+
+
+def _read_csv(path, wanted):
+    """Read text: its words become codes by their order of appearance."""
+    facts, heads, rows = _cells(path)
+    names, columns = {}, {}
     cells_of = zip(*rows, strict=True) if rows else [()] * len(heads)
     for name, cells in zip(heads, cells_of, strict=True):
         if not wanted(name):

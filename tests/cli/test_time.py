@@ -2,6 +2,7 @@
 """``pycnc time``: what takes time that no axis makes, parts of the time, several files."""
 
 import json
+import random
 import re
 
 import pytest
@@ -187,3 +188,20 @@ def test_what_nearly_all_programs_leave_to_the_control_is_told_when_asked(tmp_pa
         assert "assumed-" not in "".join((run := pycnc(verb, file)).out + run.err)
     told = pycnc("check", file, "-v").out
     assert "note[assumed-centre]" in told and "note[assumed-plane]" in told
+
+
+@pytest.mark.sample(6, quick=2)
+@pytest.mark.parametrize("machine", ["mill3", "router", "printer_marlin", "printer_klipper"])
+@pytest.mark.parametrize("number", range(3))
+def test_what_is_left_behind_the_last_line_is_one_error(number, machine, draw_seed):
+    pen = random.Random(draw_seed + number)
+    moves = [f"G1 X{pen.randrange(1, 90)} F900" for _ in range(pen.randrange(1, 6))]
+    end = "M2" if machine in ("mill3", "router") else "G4 P10"
+    rows = ["G21 G90", *moves, end]
+    behind = [] if end != "M2" else ["", "G1 X1"][: pen.randrange(3)]
+    text = "\n".join([*rows, *behind, ""]).encode()
+    for line in range(1, len(rows) + 5):
+        told = pycnc("time", "-", "-m", machine, "--left", line, stdin=text)
+        assert told.code == 2 * (line > len(rows)), told
+        if told.code:
+            assert told.err.count("error[left]") == 1 and f"ends at line {len(rows)}" in told.err

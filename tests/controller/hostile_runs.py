@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """A sender that means no good, against a machine with switches, in virtual time.
 
-    python tests/controller/hostile_runs.py storms COUNT [FIRST]
+    python tests/controller/hostile_runs.py storms COUNT [FIRST]   all there is
+    python tests/controller/hostile_runs.py doors COUNT [FIRST]    a door and holds at any moment
 
 Whatever it sends: each line is answered once, a report comes within 20 ms and says where the
 machine is, no axis leaves its travel or passes its speed, nothing moves at an alarm, in sleep or
@@ -12,12 +13,14 @@ import random
 import re
 import sys
 
-from serving_runs import RESET, RESUME, Broken, Talk, main
+from serving_runs import HOLD, PATIENCE, RESET, RESUME, Broken, Talk, main
 from test_serve_inputs import INPUTS, machine
 
 TRAVEL_NM = (-150_000_000, 50_000_000)
 REPORT_MOST = 20  # ticks until ? is answered
 REST_MOST = 3000  # … and until the machine has braked
+BOUNCE_MOST = 9  # … until a switch that has opened is open
+BRAKE_MOST = 400  # … at the accelerations of its file
 STATES = "Idle|Run|Hold:[01]|Jog|Alarm|Door:[0-3]|Check|Home|Sleep"
 REPORT = re.compile(
     rf"<({STATES})\|[MW]Pos:(-?\d+\.\d+,){{2}}-?\d+\.\d+(\|Bf:\d+,\d+)?(\|Ln:\d+)?\|FS:\d+,\d+"
@@ -69,12 +72,19 @@ LINES = (
     lambda draw: "X" * draw.randint(70, 2000),
     lambda draw: "(" + "c" * draw.randint(0, 500) + draw.choice((")", "")),
 )  # fmt: skip
+WAYS = (
+    lambda draw: f"$J=G91{draw.choice('XYZ')}{draw.choice((-1, 1)) * draw.randint(1, 30)}F3000",
+    lambda draw: draw.choice(("M2", "$H", "G28", "G4P0.1", "G38.3X-20F900")),
+    lambda draw: "$X",
+)  # fmt: skip
 SIGNALS = (b"?", b"!", b"~", b"\x84", b"\x85", b"\x90", b"\x91", b"\x92", b"\x95", b"\x97", b"\x99",
            b"\x9a", b"\x9e", b"\xa0", b"\xa1", b"\xff", b"\x80", b"\xc3\x9f")  # fmt: skip
 
 
 class Storm:
     """One machine and what has come over it."""
+
+    lines = LINES
 
     def __init__(self, seed):
         self.draw = random.Random(seed)
@@ -90,9 +100,21 @@ class Storm:
 
     def send(self, data):
         self.trace.append(data)
-        while data:
+        for ticks in range(1, PATIENCE):
             data = data[self.session.receive(data) :]
             self.wait(1)
+            if not data:
+                return
+            self.trace.pop()
+            if ticks % REST_MOST == 0:  # held, and the ring is full
+                self.close()
+                self.session.receive(RESUME)
+        raise Broken("no room for what is sent")
+
+    def close(self):
+        """Close the door."""
+        self.open = False
+        self.session.push("door", False)
 
     def wait(self, ticks):
         """Let time pass, and hold what always holds."""
@@ -143,10 +165,11 @@ class Storm:
         else:
             raise Broken(f"no report in {REPORT_MOST} ms")
         text = next(said for said in reversed(self.trace) if str(said).startswith("<"))
-        if "MPos" in text and moved == self.session.moving and "$13" not in str(self.trace):
-            at = [float(word) for word in re.search(r"MPos:([-.,\d]+)", text)[1].split(",")]
-            for told, nm in zip(at, self.session.joints_nm, strict=True):
-                if abs(told * 1e6 - nm) > 501:
+        if "MPos" in text and moved == self.session.moving:
+            words = re.search(r"MPos:([-.,\d]+)", text)[1].split(",")
+            unit, most = (25.4e6, 1271) if "." == words[0][-5] else (1e6, 501)  # $13=1: inches
+            for told, nm in zip(words, self.session.joints_nm, strict=True):
+                if abs(float(told) * unit - nm) > most:
                     raise Broken(f"{text} at {self.session.joints_nm}")
         return REPORT.fullmatch(text)[1]
 
@@ -163,12 +186,13 @@ class Storm:
     def piece(self):
         """Send a line, with signals anywhere in it."""
         draw = self.draw
-        data = draw.choice(LINES)(draw).encode()
+        data = draw.choice(self.lines)(draw).encode()
         if draw.random() < 0.3:
             at = draw.randint(0, len(data))
             data = data[:at] + draw.choice(SIGNALS) + data[at:]
         self.sent += 1
-        self.roams = self.roams or re.search(rb"\$(20=|H)", data) is not None
+        line = re.sub(rb"[^!-~]|[?!~]", b"", data)  # as the machine reads it
+        self.roams = self.roams or re.search(rb"\$(20=|H)", line) is not None
         self.send(data + b"\n")
 
     def act(self):
@@ -179,14 +203,9 @@ class Storm:
         elif kind < 0.8:
             self.send(draw.choice(SIGNALS))
         elif kind < 0.84:
-            self.open = not self.open
-            self.trace.append(f"door {self.open}")
-            self.session.push("door", self.open)
+            self.swing()
         elif kind < 0.85:
-            self.trace.append("emergency")
-            self.session.push("emergency", True)
-            self.wait(draw.choice((1, 50)))
-            self.session.push("emergency", False)
+            self.stop()
         elif kind < 0.87:
             self.still(self.report())
         elif kind < 0.89:
@@ -194,6 +213,19 @@ class Storm:
         elif kind < 0.9:
             self.cable()
         self.wait(draw.choice((0, 1, 3, 30, 300, 2000)))
+
+    def swing(self):
+        """Open the door, or close it."""
+        self.open = not self.open
+        self.trace.append(f"door {self.open}")
+        self.session.push("door", self.open)
+
+    def stop(self):
+        """Push the emergency stop, and pull it out again."""
+        self.trace.append("emergency")
+        self.session.push("emergency", True)
+        self.wait(self.draw.choice((1, 50)))
+        self.session.push("emergency", False)
 
     def reset(self):
         """Reset: a banner comes, and answers no more than were due."""
@@ -225,16 +257,17 @@ class Storm:
 
     def end(self):
         """All lines are answered; a reset makes a machine of it again."""
-        self.open = False
-        self.session.push("door", False)
+        self.close()
         for _ in range(2000):
             if self.answers == self.sent:
                 break
+            moving = self.session.moving
             self.send(RESUME)
             self.wait(100)
             del self.trace[-3:]
         else:
-            raise Broken(f"{self.answers} answers to {self.sent} lines, {self.report()}")
+            if moving == self.session.moving:  # else it is on a long way, or a slow one
+                raise Broken(f"{self.answers} answers to {self.sent} lines, {self.report()}")
         self.wait(500)
         self.reset()
         self.sent += 3
@@ -250,9 +283,85 @@ class Storm:
             raise Broken(f"goes to {there}")
 
 
+class Doors(Storm):
+    """A door that opens at any moment: a brake later nothing moves until it is closed and ~ comes.
+
+    So it is behind !. What ends it besides: a reset, and an alarm, which holds in its place.
+    """
+
+    lines = (*LINES[1:], *LINES[4:6], *WAYS, *WAYS, *WAYS)  # no slower brakes
+    rests_at = None  # ticks of the session from which on nothing moves
+    swung = 0  # … and when the door was
+
+    def swing(self):
+        super().swing()
+        self.swung = self.session.ticks
+        if self.open:
+            self.rests_at = self.rests_at or self.session.ticks + BRAKE_MOST
+        elif not self.report().startswith("Door"):
+            self.rests_at = None
+
+    def hold(self):
+        """Hold; what is cancelled by it, as a jog is, is not held behind its brake."""
+        self.send(HOLD)
+        self.wait(BRAKE_MOST)
+        if self.report().startswith("Hold"):
+            self.rests_at = self.rests_at or self.session.ticks
+
+    def close(self):
+        super().close()
+        self.rests_at = None
+
+    def send(self, data):
+        since = self.session.ticks - self.swung
+        if RESUME in data and (not self.open or since < BOUNCE_MOST):
+            self.rests_at = self.session.ticks + BRAKE_MOST if self.open else None
+        super().send(data)
+
+    def hear(self, said):
+        super().hear(said)
+        if re.match("ALARM|Grbl", said) and not self.open:
+            self.rests_at = None
+
+    def wait(self, ticks):
+        left = max(0, (self.rests_at or 0) - self.session.ticks)
+        if left > 0:
+            super().wait(min(left, ticks))
+        moved = self.session.moving
+        if ticks > left:
+            super().wait(ticks - left)
+        if self.rests_at and self.session.moving > moved:
+            raise Broken("moves behind a door")
+
+    def act(self):
+        draw = self.draw
+        each = (self.piece, self.swing, self.stop, self.reset, self.cable,
+                self.hold, lambda: self.send(draw.choice(SIGNALS)))  # fmt: skip
+        draw.choices(each, (60, 20, 0.5, 2, 1, 4, 9))[0]()
+        self.wait(draw.choice((0, 1, 3, 30, 100, 500)))
+        if self.rests_at and draw.random() < 0.1:
+            self.go_on()
+
+    def go_on(self):
+        """Close the door, and go on."""
+        if self.open:
+            self.swing()
+        self.wait(BOUNCE_MOST)
+        self.send(RESUME)
+
+
 def storms(seed):
     """One storm."""
-    storm = Storm(seed)
+    come_over(Storm(seed))
+
+
+def doors(seed):
+    """One door."""
+    come_over(Doors(seed))
+
+
+def come_over(storm):
+    """Let it come, and end."""
     try:
         for _ in range(storm.draw.randint(5, 60)):
             storm.act()
@@ -262,4 +371,4 @@ def storms(seed):
 
 
 if __name__ == "__main__":
-    sys.exit(main({"storms": storms}))
+    sys.exit(main({"storms": storms, "doors": doors}))

@@ -2,15 +2,18 @@
 """Real senders in front of a served machine: each connects, homes, jogs, probes, streams, resets.
 
     python tests/controller/real_senders.py cncjs
-    python tests/controller/real_senders.py bcnc     it needs Xvfb
+    python tests/controller/real_senders.py bcnc     on a display that nobody sees
 
-The sender is installed into build/senders by its own package manager, and runs there.
+The sender is installed into build/senders by its own package manager, and runs there. What else it
+needs comes with `make campaign`; without it the script ends with a line that names it.
 """
 
 import contextlib
+import importlib.util
 import json
 import math
 import os
+import shutil
 import subprocess
 import sys
 import time
@@ -21,6 +24,7 @@ from test_serve_inputs import AXIS
 ROOT = Path(__file__).resolve().parents[2]
 SCRIPTS = Path(__file__).parent / "senders"
 CNCJS, BCNC = "cncjs@1.11.5", "bCNC==0.9.16"
+NEEDS = {"cncjs": {"node": "nodejs", "npm": "npm"}, "bcnc": {"xvfb-run": "xvfb", "xauth": "xauth"}}
 LINES = 400
 AXES = "".join(f"[axis.{letter}]\n{AXIS}" for letter in "xyz")
 MACHINE = f"""[path]
@@ -97,6 +101,11 @@ def bcnc(folder):
 
 def main(name):
     """Run a sender's script."""
+    missing = [package for tool, package in NEEDS[name].items() if not shutil.which(tool)]
+    if name == "bcnc" and importlib.util.find_spec("tkinter") is None:
+        missing.append("python3-tk")
+    if missing:
+        raise SystemExit(f"{name} is not tried: please install {' '.join(missing)}")
     folder = ROOT / "build" / "senders" / name
     folder.mkdir(parents=True, exist_ok=True)
     return {"cncjs": cncjs, "bcnc": bcnc}[name](folder)

@@ -5,6 +5,8 @@
     python tests/controller/serving_runs.py jogs COUNT [FIRST]      jogs, cancelled at any moment
     python tests/controller/serving_runs.py bytes COUNT [FIRST]     bytes at random
     python tests/controller/serving_runs.py brakes COUNT [FIRST]    holds at any moment
+    python tests/controller/serving_runs.py modes COUNT [FIRST]     modes at the tool, by line
+    python tests/controller/serving_runs.py resets COUNT [FIRST]    resets at any moment
 
 A session in a file is text, a step a line: ``> G1 X5`` sends a line, ``= 18`` bytes in hexadecimal,
 ``. 200`` lets ticks pass; ``< ok`` is what is said next, where … stands for anything. What
@@ -16,6 +18,7 @@ import re
 import sys
 
 import pycnc
+from pycnc.kernel.bind import ffi, lib
 from pycnc.kernel.session import Session
 from pycnc.machine import Machine
 
@@ -92,6 +95,12 @@ class Talk:
         at = next(k for k, said in enumerate(self.said) if said.startswith("<"))
         words = self.said.pop(at).strip("<>").split("|")
         return {"state": words[0]} | dict(word.split(":") for word in words[1:])
+
+    def zero(self):
+        """Return the zero of the work for the next line, as a report tells it."""
+        modal = ffi.new("nck_modal_t *")
+        lib.nck_modal(self.session._nck, modal)
+        return ",".join(f"{nm / 1e6:.3f}" for nm in modal.origin_nm[0:3])
 
     def settle(self, patience=PATIENCE):
         """Wait until the machine is idle, going on where it is held."""
@@ -198,7 +207,7 @@ def operate(talk, draw, chances=OFTEN):
 
 def stream(lines, draw, talk):
     """Send lines as many at once as the ring holds; return the answers."""
-    lengths, answers, at, quiet = [], [], 0, 0
+    lengths, answers, at, quiet, moving = [], [], 0, 0, 0
     while len(answers) < len(lines):
         while at < len(lines) and sum(lengths) + len(lines[at]) + 1 <= RING:
             data = lines[at].encode() + b"\n"
@@ -208,10 +217,11 @@ def stream(lines, draw, talk):
             at += 1
         operate(talk, draw)
         talk.wait(draw.choice((1, 2, 5, 20, 60)))
-        before = len(answers)
+        before, moved = len(answers), moving
         answers += _answers(talk)
         del lengths[: len(answers) - before]
-        quiet = 0 if len(answers) > before else quiet + 1
+        moving = talk.session.moving
+        quiet = 0 if len(answers) > before or moving > moved else quiet + 1
         if quiet > 500:
             talk.send(RESUME)
         if quiet > 5000:
@@ -271,6 +281,78 @@ def jogs(seed):
         if talk.ask("$G") != modes:
             raise Broken(f"a jog has changed the modes: {modes}")
         talk.check()
+
+
+def modes(seed):
+    """Ask for the modes at the tool at any moment: they are what its line has left."""
+    draw = random.Random(seed)
+    machine = mill(**{"path.slope": draw.choice(("jerk", "linear", "optimal"))})
+    talk, decoded, known = Talk(machine), Talk(machine), {}
+    lines, _ = program(draw)
+    decoded.said.clear()
+    decoded.ask("$C")
+    for number, line in enumerate(lines, 1):
+        decoded.send(f"N{number}{line}\n".encode())
+        decoded.next()
+        known[number] = decoded.ask("$G")[0].split(" T")[0], decoded.zero()
+    talk.said.clear()
+    waits = [f"N{number}{line}\n" for number, line in enumerate(lines, 1)]
+    at, behind = 0, 0
+    while waits or talk.status()["state"] != "Idle":
+        if waits and talk.session.receive(waits[0].encode()):
+            waits.pop(0)
+        operate(talk, draw)
+        talk.wait(draw.choice((1, 20, 90)))
+        talk.said.clear()
+        talk.send(b"\x83")
+        report = talk.status()
+        at = int(report.get("Ln", at))
+        if report["state"].startswith(("Hold", "Door")):
+            talk.send(RESUME)
+        told = next(said for said in talk.said if said.startswith("[GC"))
+        if report["FS"].startswith("0,") or at == 0:
+            continue  # at rest the next lines may be in force
+        behind += talk.zero() != known[at][1]
+        if told.split(" T")[0] != known[at][0] or report.get("WCO", known[at][1]) != known[at][1]:
+            raise Broken(f"line {at} {lines[at - 1]!r}: {told}, {report}, not {known[at]}")
+    if behind:
+        raise Broken(f"the work's zero is ahead of the tool {behind} times")
+
+
+RESET_MOST = 1500  # ticks until a reset has braked from whatever, and said so
+
+
+def resets(seed):
+    """Reset at any moment, in a dwell and a wait too: it brakes, says so, and knows where it is."""
+    draw, talk = random.Random(seed), Talk()
+    lines, _ = program(draw)
+    rests = (f"G4P{draw.uniform(0, 90):.1f}", "M0", "M6", "$J=G91X9F500", "$C", "$SLP", "M30")
+    for _ in range(3):
+        lines.insert(draw.randrange(len(lines)), draw.choice(rests))
+    talk.session.receive("\n".join([*lines, ""]).encode())
+    for _ in range(4):
+        talk.wait(draw.randint(0, 8000))
+        operate(talk, draw)
+        talk.said.clear()
+        talk.send(RESET)
+        for _ in range(RESET_MOST // 10):
+            talk.wait(10)
+            if any(said.startswith("Grbl 1.1") for said in talk.said):
+                break
+        else:
+            raise Broken(f"no banner in {RESET_MOST} ticks: {talk.status()}")
+        talk.said.clear()
+        moving, report = talk.session.moving, talk.status()
+        told = [float(word) * 1e6 for word in report["MPos"].split(",")]
+        at = talk.session.joints_nm
+        off = max(abs(word - nm) for word, nm in zip(told, at, strict=True))
+        if report["state"] != "Idle" or off > MICRON_NM / 2 + 1e-3:
+            raise Broken(f"{report} at {at}")
+        talk.wait(200)
+        if moving != talk.session.moving:
+            raise Broken("it moves behind a reset")
+        talk.check()
+        talk.session.receive("\n".join([*draw.sample(lines, 9), ""]).encode())
 
 
 PIECES = (
@@ -348,7 +430,8 @@ def brakes(seed):
     return ticks
 
 
-SEARCHES = {"streams": streams, "jogs": jogs, "bytes": bytes_at_random, "brakes": brakes}
+SEARCHES = {"streams": streams, "jogs": jogs, "bytes": bytes_at_random, "brakes": brakes,
+            "modes": modes, "resets": resets}  # fmt: skip
 
 
 def main(searches):

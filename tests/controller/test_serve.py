@@ -40,6 +40,18 @@ def test_a_hold_brakes_within_15_ms(seed):
     serving_runs.brakes(seed)
 
 
+@pytest.mark.sample(4, quick=1)
+@pytest.mark.parametrize("seed", range(1, 101))
+def test_the_modes_at_the_tool_are_what_its_line_has_left(seed):
+    serving_runs.modes(seed)
+
+
+@pytest.mark.sample(4, quick=1)
+@pytest.mark.parametrize("seed", range(1, 101))
+def test_a_reset_brakes_at_any_moment_and_keeps_the_place(seed):
+    serving_runs.resets(seed)
+
+
 @pytest.mark.sample(10, quick=3)
 @pytest.mark.parametrize("seed", range(1, 501))
 def test_noise_breaks_nothing(seed):
@@ -50,6 +62,12 @@ def test_noise_breaks_nothing(seed):
 @pytest.mark.parametrize("seed", range(1, 501))
 def test_a_storm_leaves_a_machine_that_does_what_it_is_told(seed):
     hostile_runs.storms(seed)
+
+
+@pytest.mark.sample(30, quick=5)
+@pytest.mark.parametrize("seed", range(1, 1001))
+def test_nothing_moves_behind_an_open_door_or_in_a_hold(seed):
+    hostile_runs.doors(seed)
 
 
 def test_a_session_that_is_not_as_written_is_told():
@@ -110,6 +128,18 @@ def test_who_comes_back_at_once_is_let_in_and_a_second_one_is_not(served):
             assert second.recv(1) == b""
         client.sendall(b"?")
         read_until(client, b">")
+
+
+def test_who_pours_a_file_into_the_port_is_heard_behind_it(served):
+    with socket.create_connection(("127.0.0.1", served)) as client:
+        read_until(client, b"Grbl 1.1f")
+        client.sendall(b"G21G91G1X1F60\n" * 100_000 + b"?!")
+        assert b"<Run|" in read_until(client, b">")
+        time.sleep(0.5)
+        client.sendall(b"?")
+        assert b"<Hold:0|" in read_until(client, b">")
+        client.sendall(b"\x18")
+        read_until(client, b"Grbl 1.1f")
 
 
 def test_a_pseudo_terminal_is_a_serial_port(tmp_path):

@@ -3,7 +3,7 @@
 
 import pytest
 import switching_runs
-from serving_runs import Talk
+from serving_runs import HOLD, Talk
 
 from pycnc.machine import Machine, MachineFileError
 
@@ -77,6 +77,36 @@ def test_the_plate_is_where_the_file_has_it():
     # what the Z axis was off when it was homed is off here, too
     off = talk.session.real_nm[2] - talk.session.joints_nm[2]
     assert abs(switching_runs.told_of(touched, 1) + off + 40_250_000) <= switching_runs.STEP_NM
+
+
+def test_a_hold_outlasts_the_plate_that_its_brake_meets():
+    talk = Talk(machine(INPUTS.replace("-40.25", "-1")))
+    talk.ask("$X")
+    talk.send(b"G21G91G38.2Z-9F999\n")
+    while talk.session.joints_nm[2] > -900_000:
+        talk.wait(1)
+    talk.send(HOLD)
+    touched, answer = switching_runs.lines_of(talk)[-2:]
+    assert answer == "ok" and touched.endswith(":1]")
+    at = talk.session.joints_nm
+    assert talk.ask("G1X3F900") == ["ok"]
+    talk.wait(1000)
+    assert talk.status()["state"] == "Hold:0" and talk.session.joints_nm == at
+    talk.settle()
+    assert talk.session.joints_nm[0] == at[0] + 3_000_000
+
+
+def test_an_emergency_stop_ends_no_check():
+    talk = Talk(machine())
+    talk.ask("$X"), talk.ask("$C")
+    talk.session.push("emergency", True)
+    talk.wait(50)
+    talk.session.push("emergency", False)
+    talk.wait(50)
+    talk.ask("$X")
+    assert talk.ask("G21G91G1X-5F900") == ["ok"]
+    talk.wait(1000)
+    assert talk.status()["state"] == "Check" and talk.session.moving == 0
 
 
 @pytest.mark.parametrize(("way", "letter"), [("X-197.5", "X"), ("X3", "X")])

@@ -159,7 +159,6 @@ static const wrong_t wrongs[] = {
     {"G6.2 X1 Y1 P1\nM2\n", NCK_E_UNSUPPORTED, 1, 1},
     {"G10 L3 P1 X0\nM2\n", NCK_E_UNSUPPORTED, 1, 5},
     {"G0 X1\nY2 U3\nM2\n", NCK_E_AXIS_UNKNOWN, 2, 4},
-    {"G43 H9\nM2\n", NCK_E_TOOL_UNKNOWN, 1, 5},
     {"X1\nM2\n", NCK_E_NO_MOTION, 1, 1},
     {"G0 X1\nG80\nF5 Z2\nM2\n", NCK_E_NO_MOTION, 3, 4},
     {"G1 X1\nM2\n", NCK_E_FEED_MISSING, 1, 0},

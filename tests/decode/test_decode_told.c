@@ -93,7 +93,7 @@ static const told_row_t plain_rows[] = {
      "2 rapid Z1 tool Z5; 4 rapid X-1 Y-2 Z0 tool X1 tool Y2;"
      " 6 rapid X0 Y0 Z5 tool X0 tool Y0 tool Z0; 8 rapid Z0 tool Z25.4; 10 rapid tool Z50.8"},
     {"G43 H1\nG43\nG43.2 H1\nG43.2\nG43.1 Z1000001\nG49 H1\n",
-     "!1:5 tool-unknown H 1/0; !3:7 tool-unknown H 1/0; !4:1 word-missing H 43.2/0;"
+     "?1:5 assumed-length H 1/0; !4:1 word-missing H 43.2/0;"
      " !5:7 number-range Z 1000001/1000000; !6:5 word-unused H"},
     {"X1\nG0 X1\nG80\nX2\nG80 G1 F5 X3\nX4\n",
      "!1:1 no-motion X; 2 rapid X1; !4:1 no-motion X; 5 line X3 F5; 6 line X4"},

@@ -49,7 +49,7 @@ static const told_row_t fanuc_rows[] = {
      "2 rapid X2 Y3; 4 rapid X1; !5:1 unsupported G 92/0; 6 rapid X6; !8:1 unsupported G 92.1/0"},
     {"G43\nG43 H1\nG49 G0 X1.\nG30 X1.\nG30 P2\nG30 P3\nG30 P1\nG30 P5\nG53 X1.\nG28 X5. Y6.\n"
      "G28\n",
-     "!1:1 word-missing H 43/0; !2:5 tool-unknown H 1/0; 3 rapid X1; 4 rapid; 4 rapid X0;"
+     "!1:1 word-missing H 43/0; ?2:5 assumed-length H 1/0; 3 rapid X1; 4 rapid; 4 rapid X0;"
      " 5 rapid; 5 rapid; !6:5 unsupported P 3/0; !7:5 number-range P 1/4;"
      " !8:5 number-range P 5/4; 9 rapid X1; 10 rapid X5 Y6; 10 rapid X0 Y0; 11 rapid; 11 rapid"},
     {"#1=5.\nG0 X#1 Y#0\nX#2\n#3=#0\n#1=#0\nX#1 Y1.\nX[#1+2] Y[3*#0]\n#1=-2.7\n"

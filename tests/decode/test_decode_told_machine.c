@@ -161,6 +161,9 @@ static const told_row_t marlin_rows[] = {
      " !6:11 modal-group M 106/0; !7:10 word-twice U; !8:1 word-missing P;"
      " !9:4 number-range S -1/1000000; !10:1 number-range E 2000000/1000000;"
      " !11:5 modal-group M 83/0; 12 out M117; 13 out M18; 14 out M110; 15 rapid U1"},
+    {"G1 X1 F60\nX2 F0\nG0 X3 F-5\nG1 X4\nX5 F1\nX6 F0\n",
+     "1 line X1 F60; ?2:4 feed-kept F; 2 line X2; 3 rapid X3 F60; 4 line X4; 5 line X5 F1;"
+     " 6 line X6"},
 };
 
 static void printers_have_words_of_their_own(check_t *check) {

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: MIT
 """Room 1: words of printers: E, heaters and fans."""
 
+import random
+
 import pytest
 
 import pycnc
 from pycnc import stages
 from pycnc.kernel.bind import lib, status_id
 from pycnc.machine import Machine
+from pycnc.planning.plan import Plan
 
 HEAD = "M82\nG21 G90 F600\nG92 E0\n"
 
@@ -91,3 +94,36 @@ def test_f_is_the_speed_of_the_nozzle_and_e_alone_has_it_too(machine):
     peaks = pycnc.run(program).summary["peaks"]
     assert 100 / 2.1 <= 300 * peaks["x"]["v"] <= 50 + 1e-6  # held down by E, at corners less
     assert all(peaks[axis]["v"] <= 1 + 1e-9 for axis in ("x", "u"))
+
+
+@pytest.mark.sample(20)
+@pytest.mark.parametrize("number", range(200))
+def test_a_feed_of_nothing_is_not_heard_but_ends_a_print_of_klipper(number, draw_seed):
+    pen = random.Random(draw_seed + number)
+    rows, plain = ["G21", "G90"], ["G21", "G90"]
+    wrong = []
+    for _ in range(pen.randrange(1, 12)):
+        move = f"G{pen.randrange(2)} X{pen.randrange(1, 90)} Y{pen.randrange(1, 90)}"
+        feed = pen.choice(["", f" F{pen.randrange(300, 9000)}", " F0", " F-20", " F0.0"])
+        is_none = feed.startswith((" F0", " F-"))
+        rows.append(move + feed)
+        plain.append(move if is_none else move + feed)
+        wrong += [len(rows)] * is_none
+    text, without = "\n".join([*rows, ""]), "\n".join([*plain, ""])
+    for machine in ("printer", "printer_marlin"):
+        found = pycnc.load(text, machine)
+        assert found.diagnostics.errors == 0
+        assert found.diagnostics.counts["feed-kept"] == bool(wrong)
+        assert found.blocks["feed"].tolist() == pycnc.load(without, machine).blocks["feed"].tolist()
+    errors = [each for each in pycnc.load(text, "printer_klipper").diagnostics
+              if each.severity == "error"]  # fmt: skip
+    assert [each.line for each in errors] == wrong[:1]
+
+
+@pytest.mark.parametrize("words", ["M203 X0", "M201 Y0 X0", "M203 E0", "M204 S0", "M220 S0"])
+def test_a_limit_of_nothing_changes_nothing(words):
+    text = "G21\nG90\n{}\nG1 X30 Y20 E1 F3000\nG1 X0\n"
+    both = (pycnc.load(text.format(each), "printer_marlin") for each in ("M107", words))
+    plain, told = (Plan(program, keep=False).why() for program in both)
+    assert told.time_s == plain.time_s > 0
+    assert [row["lost_s"] for row in told.causes] == [row["lost_s"] for row in plain.causes]

@@ -66,7 +66,7 @@ def test_what_is_left_at_a_line_is_what_its_lines_take(number, draw_seed):
     pen = random.Random(draw_seed + number)
     kind = pen.choice(["nck", *KINDS])
     text = _program(pen)
-    line = pen.randrange(1, text.count("\n") + 4)
+    line = pen.randrange(1, text.count("\n") + 1)
     options = ["--set", f"control.kind={kind}", "--json"]
     told = json.loads(pycnc("time", "-", *options, "--left", line, stdin=text.encode()).out)
     whole = told["total_s"]

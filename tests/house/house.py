@@ -3,6 +3,7 @@
 
 import ast
 import functools
+import gc
 import re
 import subprocess
 from pathlib import Path
@@ -114,7 +115,9 @@ def identifiers(nodes):
 @functools.cache
 def python_nodes(name):
     """Return all nodes of a Python file's syntax tree, the whole first."""
-    return list(ast.walk(ast.parse(read(name))))
+    nodes = list(ast.walk(ast.parse(read(name))))
+    gc.freeze()  # a tree has no rings: to look for some in all of them took longer than to read
+    return nodes
 
 
 def python_imports(name):

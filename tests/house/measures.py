@@ -112,6 +112,19 @@ def called_once():
     return once, every
 
 
+def doubles():
+    """Return the static functions of csrc/nck that stand in two files, [[file: name, …], …]."""
+    found = {}
+    function = re.compile(r"^static [\w *]*?\b(\w+)(\([^;{]*\)\s*\{.*?\}$)", re.M | re.S)
+    for name in (name for name in house.CORE if name.endswith(".c")):
+        text = house.without_comments(house.read(name))
+        for each in function.finditer(text):
+            end = each.end() if each[0].count("\n") == 0 else text.index("\n}", each.start(2))
+            body = " ".join(text[each.start(2) : end].split())
+            found.setdefault(body, []).append(f"{name}: {each[1]}")
+    return [names for names in found.values() if len({n.partition(":")[0] for n in names}) > 1]
+
+
 def sources():
     """Return sources a 1000 lines of formula headers: a year of a work, a standard, a page."""
     texts = [house.read(name) for name in house.CORE if name.endswith("_math.h")]
@@ -120,12 +133,24 @@ def sources():
     return 1000 * sum(len(cited.findall(text)) for text in texts) / lines
 
 
+def glossary():
+    """Return the words of the glossary, in its order."""
+    rows = re.findall(r"^\| (?!word|---)([^|]+) \|", house.read("docs/glossary.md"), re.M)
+    return [re.split(r"[,(]", row)[0].strip() for row in rows]
+
+
+def rooms_of(word):
+    """Return the rooms of csrc/nck, base left out, that have a file or a type of this name."""
+    own = re.compile(rf"\}} nck_{word}_t;")
+    return {room_of(name) for name in house.CORE
+            if Path(name).stem == word or own.search(house.read(name))} - {"base"}  # fmt: skip
+
+
 def words_of_pages():
-    """Return (words of docs and DESIGN that nobody generates, words of the glossary)."""
+    """Return words of docs and DESIGN that nobody generates."""
     pages = [name for name in house.PAGES
              if name.startswith("docs/") and Path(name).name not in GENERATED]  # fmt: skip
-    count = sum(len(house.read(name).split()) for name in [*pages, "DESIGN.md"])
-    return count, len(re.findall(r"^\| (?!word|---)", house.read("docs/glossary.md"), re.M))
+    return sum(len(house.read(name).split()) for name in [*pages, "DESIGN.md"])
 
 
 def wide(name):
@@ -168,10 +193,10 @@ def figures():
     yield "nck.h: documented each by itself", f"{told:.0%}"
     once, every = called_once()
     yield "static functions of csrc/nck called from one place", f"{once / every:.0%} of {every:,}"
+    yield "static functions of csrc/nck that stand in two files", f"{len(doubles())}"
     yield "sources a 1000 lines of formulas", f"{sources():.1f}"
-    words, own = words_of_pages()
-    yield "words of the glossary", f"{own}"
-    yield "words of docs and DESIGN", f"{words:,}"
+    yield "words of the glossary", f"{len(glossary())}"
+    yield "words of docs and DESIGN", f"{words_of_pages():,}"
     yield f"Python: functions with more than {PARAMETERS} parameters", f"{len(broken(wide))}"
     yield f"Python: functions beyond complexity {COMPLEXITY}", f"{len(broken(tangled))}"
     yield "lines of csrc/nck", f"{sum(house.read(name).count(chr(10)) for name in house.CORE):,}"

@@ -233,6 +233,32 @@ static void it_goes_on_in_the_same_modes(check_t *check)
     CHECK_NEAR(check, front_x(&front), rest + 2.0, 1.1e-6);
 }
 
+// A dwell that was dropped is not waited for: no more ticks than any rest takes.
+static void an_abort_ends_a_dwell(check_t *check)
+{
+    static const uint32_t slopes[] = {NCK_SLOPE_LINEAR, NCK_SLOPE_JERK};
+    for (int k = 0; k < 2; k++) {
+        begin(&front, &before, slopes[k]);
+        line(&front, "G91 G1 X1 F600");
+        line(&front, "G4 P1000");
+        line(&front, "X5");
+        nck_flush(&front.nck);
+        for (int n = 0; n < 3000 && front.state != NCK_TICK_DWELL; n++) front_tick(&front);
+        for (int n = 0; n < 100; n++) front_tick(&front);
+        CHECK_INT(check, front.state, NCK_TICK_DWELL);
+        nck_abort(&front.nck);
+        for (int n = 0; n < 20; n++) front_tick(&front);
+        CHECK_INT(check, front.state, NCK_TICK_HOLD);
+        CHECK_INT(check, nck_is_idle(&front.nck), 1);
+        CHECK_INT(check, nck_go_on(&front.nck), NCK_OK);
+        line(&front, "X2");
+        nck_flush(&front.nck);
+        front_rest(&front);
+        CHECK_NEAR(check, front_x(&front), 3.0, 1e-9);
+        CHECK_INT(check, nck_invariants(&front.nck), 0);
+    }
+}
+
 static void the_axes_can_be_told_to_stand_elsewhere(check_t *check)
 {
     int64_t place_nm[NCK_AXIS_MAX] = {-7000000, 0, 3000000};
@@ -322,6 +348,7 @@ int main(int argc, char **argv)
     CHECK_RUN(&check, a_jog_leaves_no_mode);
     CHECK_RUN(&check, a_check_moves_nothing);
     CHECK_RUN(&check, it_goes_on_in_the_same_modes);
+    CHECK_RUN(&check, an_abort_ends_a_dwell);
     CHECK_RUN(&check, the_axes_can_be_told_to_stand_elsewhere);
     CHECK_RUN(&check, what_is_executed_is_counted);
     CHECK_RUN(&check, switches_hold_for_lines_to_come);

@@ -371,26 +371,22 @@ def test_the_travel_is_the_tighter_one_of_an_axis_and_its_joint(joint, kinematic
     assert (x["min_mm"], x["max_mm"]) == pytest.approx(ends)
 
 
+@pytest.mark.parametrize(
+    ("words", "name"),
+    [("", ""), ("M665 L218.00 R101.00 H230.00 S80.00", "a delta of three towers"),
+     ("M665 S80.00 P0.00 T0.00 Z0.00", "a SCARA")],
+)  # fmt: skip
+def test_motors_of_marlin_that_are_no_axes_are_named(words, name):
+    axes = " X300.00 Y300.00 Z300.00\n"
+    text = f"M92{axes}M203{axes}M201{axes}{words}"
+    told = [each for each in importer.read(text, "m503.txt").left if "kinematics" in each]
+    assert len(told) == bool(name) and all(name in each for each in told)
+
+
 def test_two_joints_of_an_axis_do_not_move_the_next():
     text = LINUXCNC.replace("X Y Z A", "X Y Y Z").replace("[JOINT_2]", "[JOINT_3]")
     data, _ = imported(text)
     assert data["axis"]["z"]["v_max_mm_s"] == 50.8
-
-
-@pytest.mark.parametrize(
-    ("files", "words"),
-    [
-        ({"a.cfg": "[include b.cfg]\n", "b.cfg": "[include a.cfg]\n"}, "one includes itself"),
-        ({"a.cfg": f"[include no.cfg]\n{KLIPPER}"}, "line 1: [include no.cfg]: no.cfg: No such"),
-        ({"a.cfg": f"[include /dev/zero]\n{KLIPPER}"}, "no file"),
-    ],
-)
-def test_what_cannot_be_included_is_refused(files, words, tmp_path):
-    for name, text in files.items():
-        (tmp_path / name).write_text(text)
-    result = pycnc("machine", "import", tmp_path / "a.cfg")
-    assert (result.code, result.out) == (2, "")
-    assert words in result.err
 
 
 def test_linuxcnc_goes_on_without_what_cannot_be_included(tmp_path):

@@ -69,8 +69,11 @@ def _program(pen, offset):
             if rows[-3].startswith("G28 X"):
                 places.append((5, *places[-1][1:]))
         else:
+            begin, code = tuple(at), pen.randrange(2)
             at = [pen.randrange(-60, 60) + pen.choice([0, 0.5]) for _ in range(3)]
-            rows.append(f"G{pen.randrange(2)} X{at[0]} Y{at[1]} Z{at[2]} F800")
+            if code and not places:  # who cuts first does so from the zero
+                places.append(begin)
+            rows.append(f"G{code} X{at[0]} Y{at[1]} Z{at[2]} F800")
         places.append(tuple(at))
         if pen.random() < 0.2:
             rows.append(systems[1])

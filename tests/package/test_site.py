@@ -144,6 +144,13 @@ def test_what_is_not_in_the_schema_is_noticed():
 # The site
 
 
+def test_a_reader_has_eight_pages_and_every_page_has_a_shelf():
+    shelves = module_of("make_site").SECTIONS
+    assert list(shelves) == ["User", "Reference", "Lab"] and len(shelves["User"]) <= 8
+    pages = [page for shelf in shelves.values() for page in shelf if page.startswith("docs/")]
+    assert sorted(pages) == sorted(f"docs/{path.stem}" for path in DOCS.glob("*.md"))
+
+
 @pytest.mark.seldom(4, "docs", "README.md", "pycnc", "csrc/nck/nck.h")
 def test_the_site_is_built_without_a_warning(tool):
     pytest.importorskip("sphinx")

@@ -55,7 +55,7 @@ static void say(void) {
 
 static void tell(void) {
     state_t state = {.moving = host.moving, .hash = host.hash, .v_most = host.v_most,
-                     .broken = nck_invariants(&nck), .waiting = (uint32_t)host.in_count};
+                     .broken = nck_invariants(&nck), .waiting = host.in_head - host.in_tail};
     memcpy(state.joint_nm, host.axes.joint_nm, sizeof state.joint_nm);
     uart_put(UART_CLOCK, &state, sizeof state);
 }

@@ -113,7 +113,7 @@ def test_stops_that_the_program_asks_for_are_told_and_their_cure_too():
     gains = {cure["cure"]: cure["gain_s"] for cure in found.cures}
     stops = cause_of(found, "exact_stop")
     assert stops["count"] == 3
-    assert gains["without G61.1 and G9"] == pytest.approx(stops["lost_s"], rel=0.05)
+    assert gains["without G61.1 and G9"] == pytest.approx(stops["lost_s"], rel=0.1)
 
 
 def test_the_axis_that_holds_is_told():

@@ -232,7 +232,7 @@ def test_the_corner_takes_what_the_page_says():
     says(f"{plan.time_s:.4f}", f"{speed.min():.2f}")
     outside = 1e3 * (place[:, 0].max() - 10), -1e3 * place[:, 1].min()
     says(f"{outside[0]:.1f} µm")
-    assert outside[1] == pytest.approx(outside[0], rel=0.02)
+    assert outside[1] == pytest.approx(outside[0], rel=0.03)
     says(f"{1e3 * np.linalg.norm(place - CORNER[1], axis=1).min():.1f} µm")
     bounds = (ROOT / "docs" / "jerk.md").read_text(encoding="utf-8")
     says(re.search(r"\| two edges of 10 mm \|[^|]+\|[^|]+\|[^|]+\|[^|]+\| ([\d.]+) \|", bounds)[1])

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A door to the curve within P for Python: a polygon in, control points and s at knots out.
-#include <math.h>   // sqrt
+#include <math.h>   // fmin sqrt
 #include <string.h> // memcpy memset
 
 #include "nck/prep/3_smooth/stream.h" // nck_stream_…
@@ -8,7 +8,7 @@
 // What is asked, and what has come of it.
 typedef struct curve_run {
     int points, axes, rounds, room; // room: pieces that fit
-    double tau, tolerance, feed, v, a, j;
+    double tau, longest, tolerance, feed, v, a, j;
     int pieces;
     double told[8]; // windows, iterations, iterations of plans, again, missed, most |r − p|/P,
                     // rests for want of a curve, joints with no rest behind them
@@ -19,6 +19,7 @@ static nck_stream_t stream;
 static void begin(const curve_run_t *run)
 {
     nck_stream_wish_t wish;
+    const double smooth = fmin(run->j, run->a / run->tau);
     memset(&wish, 0, sizeof wish);
     wish.terms.axes = run->axes;
     wish.terms.tau = run->tau;
@@ -26,9 +27,14 @@ static void begin(const curve_run_t *run)
         wish.terms.v[x] = run->v;
         wish.terms.a[x] = run->a;
         wish.terms.j[x] = run->j;
+        wish.terms.smooth[x] = smooth;
     }
-    wish.terms.a_least = wish.terms.a_most = run->a;
+    wish.terms.v_most = run->v;
+    wish.terms.a_least = run->a;
+    wish.terms.a_reached = fmin(run->a, sqrt(2.0 * run->v * run->j));
     wish.terms.j_least = run->j;
+    wish.terms.smooth_least = smooth;
+    wish.terms.longest = run->longest;
     wish.rounds = run->rounds;
     wish.gap = 0.1;
     wish.most = 10;

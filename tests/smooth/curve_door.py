@@ -10,7 +10,7 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 ROOM = ROOT / "csrc" / "nck" / "prep" / "3_smooth"
 BASE = ROOT / "csrc" / "nck" / "base"
-PARTS = ("fair", "track", "timing", "timing_make", "sample", "stream")
+PARTS = ("fair", "track", "timing", "timing_make", "reference", "sample", "stream")
 SOURCES = (
     Path(__file__).with_suffix(".c"),
     *(ROOM / f"{name}.c" for name in PARTS),
@@ -23,7 +23,8 @@ class Run(ctypes.Structure):
 
     _fields_ = [
         *((name, ctypes.c_int) for name in ("points", "axes", "rounds", "room")),
-        *((name, ctypes.c_double) for name in ("tau", "tolerance", "feed", "v", "a", "j")),
+        *((name, ctypes.c_double)
+          for name in ("tau", "longest", "tolerance", "feed", "v", "a", "j")),
         ("pieces", ctypes.c_int), ("told", ctypes.c_double * 8),
     ]  # fmt: skip
 
@@ -40,7 +41,8 @@ def build(compiler, folder, number="double"):
 def smooth(library, points, tolerance, **asked):
     """Smooth a polygon; return control points, s at knots [mm] and the run."""
     points = np.ascontiguousarray(points, float)
-    given = {"tau": 0.004, "feed": 100.0, "v": 100.0, "a": 1e3, "j": 1e4, "rounds": 3} | asked
+    given = {"tau": 0.004, "longest": 6.0, "feed": 100.0, "v": 100.0, "a": 1e3, "j": 1e4}
+    given |= {"rounds": 3} | asked
     run = Run(points=len(points), axes=points.shape[1], room=100000, tolerance=tolerance, **given)
     control = np.zeros((run.room + 3, run.axes))
     s = np.zeros(run.room + 1)

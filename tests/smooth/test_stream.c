@@ -32,10 +32,12 @@ static void begin(void)
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         wish.terms.v[x] = 100.0;
         wish.terms.a[x] = 1000.0;
-        wish.terms.j[x] = 10000.0;
+        wish.terms.j[x] = wish.terms.smooth[x] = 10000.0;
     }
-    wish.terms.a_least = wish.terms.a_most = 1000.0;
-    wish.terms.j_least = 10000.0;
+    wish.terms.a_least = wish.terms.a_reached = 1000.0;
+    wish.terms.j_least = wish.terms.smooth_least = 10000.0;
+    wish.terms.longest = 6.0;
+    wish.terms.v_most = 100.0;
     wish.rounds = 3;
     wish.gap = 0.1;
     wish.most = 10;

@@ -17,6 +17,12 @@ static nck_timing_list_t list;
 static nck_timing_terms_t terms;
 static nck_num plan[NCK_FAIR_KNOTS + 1];
 
+static void keep(int from, int to, int blend)
+{
+    const int span[3] = {from, to, blend};
+    nck_timing_keep(&clock_, &list, &track, plan, span);
+}
+
 static void begin(void)
 {
     memset(&terms, 0, sizeof terms);
@@ -25,13 +31,15 @@ static void begin(void)
     for (int x = 0; x < 2; x++) {
         terms.v[x] = 100.0;
         terms.a[x] = 1000.0;
-        terms.j[x] = 10000.0;
+        terms.j[x] = terms.smooth[x] = 10000.0;
     }
-    terms.a_least = terms.a_most = 1000.0;
-    terms.j_least = 10000.0;
+    terms.a_least = terms.a_reached = 1000.0;
+    terms.j_least = terms.smooth_least = 10000.0;
+    terms.longest = 1.0;
+    terms.v_most = 100.0;
     begin_lines(terms.tau, FEED);
     nck_timing_begin(&clock_, &terms);
-    nck_timing_keep(&clock_, &list, plan, 0, 0, 0);
+    keep(0, 0, 0);
 }
 
 static void close_run(void)
@@ -159,7 +167,7 @@ static void a_plan_at_the_clocks_own_speed_leaves_it_as_it_is(check_t *check)
     const int knots = clock_.knots;
     memcpy(before, clock_.s, sizeof before);
     for (int k = 0; k <= knots; k++) plan[k] = 1;
-    nck_timing_keep(&clock_, &list, plan, 0, knots, 0);
+    keep(0, knots, 0);
     CHECK_INT(check, make(), NCK_DONE);
     CHECK_INT(check, clock_.knots, knots);
     for (int k = 0; k <= 4 * knots; k++) CHECK_NEAR(check, clock_.s[k], before[k], 0.02);
@@ -173,7 +181,7 @@ static void a_plan_at_half_speed_takes_twice_as_long(check_t *check)
     make();
     const int knots = clock_.knots;
     for (int k = 0; k <= knots; k++) plan[k] = (nck_num)0.25;
-    nck_timing_keep(&clock_, &list, plan, 0, knots, 0);
+    keep(0, knots, 0);
     make();
     if (clock_.ends) CHECK(check, clock_.knots > 1.9 * knots && clock_.knots < 2.1 * knots);
     const int middle = knots < clock_.knots ? knots : clock_.knots;
@@ -190,7 +198,7 @@ static void a_window_goes_on_where_the_last_one_is_given(check_t *check)
     CHECK(check, !clock_.ends);
     const double s = clock_.s[4 * given], v = speed(4 * given);
     for (int k = 0; k <= knots; k++) plan[k] = 1;
-    nck_timing_keep(&clock_, &list, plan, given, knots - 12, 40);
+    keep(given, knots - 12, 40);
     nck_timing_drop(&clock_, s);
     nck_track_drop(&track, s, 0.0);
     CHECK_INT(check, make(), NCK_DONE);

@@ -14,6 +14,14 @@
 #include "nck/base/real.h"      // nck_real nck_sqrt
 #include "nck/base/trig_math.h" // NCK_PI, what nck_atan2 stands for
 
+// a·b and a × b in the plane.
+static inline nck_real nck_arc_inner(NCK_IN nck_real *a, NCK_IN nck_real *b) {
+    return a[0] * b[0] + a[1] * b[1];
+}
+static inline nck_real nck_arc_outer(NCK_IN nck_real *a, NCK_IN nck_real *b) {
+    return a[0] * b[1] - a[1] * b[0];
+}
+
 // |(u, v)| [mm]
 static inline nck_real nck_arc_norm(nck_real u, nck_real v) {
     return nck_sqrt(u * u + v * v);

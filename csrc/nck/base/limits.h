@@ -163,8 +163,8 @@
 #define NCK_HAS_POLYGONS (NCK_WINDOW >= 256)
 
 // What holds the state of cycles, of layouts, of parameters and calls, of compensation, of
-// smoothing, of the jerk-limited slope. Where they are left out it is only read, as zero: one place
-// serves all members.
+// smoothing, of marks, of the jerk-limited slope. Where they are left out it is only read, as zero:
+// one place serves all members.
 #if NCK_HAS_CYCLES
 #define NCK_CYCLE_STATE struct
 #else
@@ -189,6 +189,11 @@
 #define NCK_SMOOTH_STATE struct
 #else
 #define NCK_SMOOTH_STATE union
+#endif
+#if NCK_SMOOTH_SPAN > 0 && NCK_WINDOW >= 64
+#define NCK_MARK_STATE struct
+#else
+#define NCK_MARK_STATE union
 #endif
 #if NCK_PROFILE > 0
 #define NCK_JERK_STATE struct

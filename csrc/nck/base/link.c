@@ -48,9 +48,9 @@ uint32_t nck_link_cell_room(const nck_link_t *self) {
 
 // What the seg ring has written over is done, however far the tick is: marks depend on the path
 // alone.
-void nck_link_push_mark(nck_link_t *self, uint32_t line, double s) {
+void nck_link_push_mark(nck_link_t *self, const nck_mark_t *mark) {
     const int goes_round = self->seg_head >= NCK_SEG_MAX;
-    nck_marks_push(&self->marks, goes_round ? nck_link_seg_place(self)->mark : 0, line, s);
+    nck_marks_push(&self->marks, goes_round ? nck_link_seg_place(self)->marks.from : 0, mark);
 }
 
 nck_status_t nck_link_push_seg(nck_link_t *self, const nck_seg_t *seg) {
@@ -132,18 +132,14 @@ nck_status_t nck_link_publish(nck_link_t *self) {
     return NCK_OK;
 }
 
-// What rides takes no time of its own.
-static double time_of(const nck_cell_t *cell) {
-    return cell->stop & NCK_STOP_RIDES ? 0.0 : cell->duration;
-}
-
 // The time of cells that the tick has taken no longer counts. When all are taken nothing is left of
 // it, neither by rounding nor of an exchange that failed: the tick was in the tail then. Cells go
 // only to places that were free before: what stood there is counted.
 static double lead_of(nck_link_t *self) {
     const uint32_t taken = nck_fence_load(&self->taken);
     while (self->lead_seen != taken) {
-        self->lead_s -= time_of(&self->cell[self->lead_seen & (NCK_CELL_MAX - 1)]);
+        const nck_cell_t *const cell = &self->cell[self->lead_seen & (NCK_CELL_MAX - 1)];
+        if (!(cell->stop & NCK_STOP_RIDES)) self->lead_s -= cell->duration; // what rides takes none
         self->lead_seen = (self->lead_seen + 1) & END_MASK;
     }
     if (taken == end_of(nck_fence_load(&self->word))) self->lead_s = 0.0;

@@ -102,8 +102,8 @@ static inline int nck_link_has_room(const nck_link_t *self) {
            && self->output_head - nck_fence_load(&self->output_taken) < NCK_OUTPUT_MAX;
 }
 
-// The way of a source line ends at s of the path. Cost: constant. Context: prep.
-void nck_link_push_mark(nck_link_t *self, uint32_t line, double s);
+// The way of a source line ends somewhere on the path. Cost: constant. Context: prep.
+void nck_link_push_mark(nck_link_t *self, const nck_mark_t *mark);
 
 // Put a seg in; its place is its seq. NCK_OK or NCK_FULL. Cost: constant. Context: prep.
 nck_status_t nck_link_push_seg(nck_link_t *self, const nck_seg_t *seg);

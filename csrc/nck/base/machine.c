@@ -4,6 +4,8 @@
 
 #include <string.h> // memset
 
+#include "nck/base/real.h" // nck_within
+
 enum { SWITCHES = 10 }; // of /1 … /9
 
 static const int64_t free_below = -INT64_MAX - 1; // INT64_MIN, whose macro some checkers misread
@@ -51,11 +53,6 @@ int64_t nck_machine_approach_nm(const nck_machine_t *machine) {
     return height_nm < INT64_MAX ? height_nm : axis->max_nm;
 }
 
-// NaN fails every comparison, infinity the upper one.
-static int within(double value, double low, double high) {
-    return value >= low && value <= high;
-}
-
 // In the order of nck_quantity_t. With lengths from 1e-7 to 1e7 mm the formulas of the rooms then
 // keep their digits: v² and a·l stay within 1e-12 … 1e16, and the cube root's j²·l
 // (nck_ladder_cbrt) within 1e-13 … 1e31 (good to 2 %).
@@ -68,7 +65,7 @@ void nck_machine_range(uint32_t quantity, nck_range_t *range_out) {
 }
 
 static int good(nck_quantity_t quantity, double value) {
-    return within(value, ranges[quantity].low, ranges[quantity].high);
+    return nck_within(value, ranges[quantity].low, ranges[quantity].high);
 }
 
 // Is each value, as far as there are any, within the range of its quantity?
@@ -165,8 +162,8 @@ static int approach_good(const nck_machine_t *machine) {
 }
 
 static int dialect_numbers_good(const nck_machine_t *machine) {
-    return within(machine->dialect.thread_pull, 0.0, 10.0)
-           && within(machine->dialect.scale_unit, 0.0, 1.0)
+    return nck_within(machine->dialect.thread_pull, 0.0, 10.0)
+           && nck_within(machine->dialect.scale_unit, 0.0, 1.0)
            && machine->dialect.skip_switches >> SWITCHES == 0
            && !(machine->dialect.skip_switches & 1u);
 }

@@ -15,7 +15,7 @@ extern "C" {
 typedef struct nck_mark {
     double s;          // program's path up to there [path mm]
     uint32_t line;     // source line
-    uint32_t reserved; // 0
+    uint32_t modes;    // in force there (in_force.h)
 } nck_mark_t;
 
 // A ring of them. Prep writes all of it; the tick reads the marks of segs that it has.
@@ -25,13 +25,13 @@ typedef struct nck_marks {
     nck_mark_t at[NCK_MARK_MAX];
 } nck_marks_t;
 
-// The next mark: the way of a line ends at s. oldest: the first mark that a seg may still ask for.
+// The next mark. oldest: the first mark that a seg may still ask for.
 // Where the ring is full it is left out, and its way counts to a line beside it. Cost: constant.
 // Context: prep.
-void nck_marks_push(nck_marks_t *self, uint32_t oldest, uint32_t line, double s);
+void nck_marks_push(nck_marks_t *self, uint32_t oldest, const nck_mark_t *mark);
 
-// Tell a seg its first line and its marks; segs come in order. Cost: linear in the marks that it
-// passes. Context: prep, before the tick sees the seg.
+// Tell a seg its first line, the modes in force there, and its marks; segs come in order. Cost:
+// linear in the marks that it passes. Context: prep, before the tick sees the seg.
 void nck_marks_tell(nck_marks_t *self, nck_seg_t *seg);
 
 // Where the way of a mark's line ends, and the line behind it. Cost: constant. Context: any.
@@ -42,8 +42,10 @@ static inline uint32_t nck_marks_after(const nck_marks_t *self, uint32_t count) 
     return self->at[(count + 1u) & (NCK_MARK_MAX - 1)].line;
 }
 
-// The source line at s of a seg. Cost: logarithmic in its marks. Context: any.
-uint32_t nck_marks_line(const nck_marks_t *self, const nck_seg_t *seg, double s);
+// The source line at s of a seg, and what is in force there. Cost: logarithmic in its marks.
+// Context: any.
+uint32_t nck_marks_line(const nck_marks_t *self, const nck_seg_t *seg, double s,
+                        uint32_t *modes_out);
 
 #ifdef __cplusplus
 }

@@ -55,6 +55,20 @@ typedef int64_t nck_int64;
 #define NCK_NUM_ABS(x) \
     (sizeof(nck_num) == 4 ? (nck_num)fabsf((float)(x)) : (nck_num)fabs((double)(x)))
 
+// The whole number next to x, of two the larger one.
+static inline int64_t nck_rounded(double x) { return (int64_t)nck_floor(x + 0.5); }
+
+// Millimetres in nanometres.
+static inline int64_t nck_nm_of(double mm) { return nck_rounded(mm * 1e6); }
+
+// Nanometres in millimetres.
+static inline double nck_mm_of(int64_t nm) { return (double)nm / 1e6; }
+
+// Is a value in a range? NaN is in none.
+static inline int nck_within(double value, double low, double high) {
+    return value >= low && value <= high;
+}
+
 // The larger one of two counts.
 static inline uint32_t nck_larger(uint32_t one, uint32_t other) {
     return one > other ? one : other;

@@ -115,6 +115,8 @@ typedef struct nck_block {
     uint8_t path_mode;    // nck_path_mode_t
     uint8_t feed_mode;    // nck_feed_mode_t
     uint8_t plane;        // 17, 18, 19 (of an arc)
+    uint32_t modes;       // that are in force (in_force.h)
+    uint32_t reserved;    // 0
     int64_t target_nm[NCK_AXIS_MAX]; // end point, machine coordinates of the tool tip [nm, ndeg]
     int64_t tool_nm[3];   // tool offset X Y Z in force: 2_toolcomp adds it to the target [nm]
     double centre_mm[2];  // arc: centre along the plane's axes (G17 XY, G18 ZX, G19 YZ),
@@ -139,6 +141,13 @@ typedef enum nck_keep {
     NCK_KEEP_SMOOTH = 2,  // within a tolerance: smooth, or at rest
     NCK_KEEP_CLOCK = 3    // the same, an interval of a clocked path
 } nck_keep_t;
+
+// The marks of a seg (marks.h).
+typedef NCK_MARK_STATE nck_seg_marks {
+    uint32_t from;  // the first of them
+    uint32_t count; // so many more lines begin in it
+    uint32_t reserved; // 0: a seg has no gaps
+} nck_seg_marks;
 
 // The geometry of a seg.
 typedef enum nck_seg_kind {
@@ -187,8 +196,8 @@ typedef struct nck_seg {
     uint8_t rapid;       // 1: G0
     uint8_t stop;        // 1: exact stop at the end
     uint8_t keeps;       // nck_keep_t
-    uint32_t mark;       // its first mark (marks.h)
-    uint32_t marks;      // so many more lines begin in it
+    uint32_t modes;      // in force where it begins (in_force.h); 0: its first mark says them
+    nck_seg_marks marks;
     double start[NCK_AXIS_MAX]; // pose at s = 0 [mm, deg]
     double end[NCK_AXIS_MAX];   // pose at s = length [mm, deg]
     double length;       // range of s [path mm]: path length (spline: that of the programmed path

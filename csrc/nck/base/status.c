@@ -91,6 +91,8 @@
     x(NCK_NOTE_ABORT, "abort") \
     x(NCK_NOTE_MODE, "mode-stays") \
     x(NCK_NOTE_CLIPPED, "speed-clipped") \
+    x(NCK_NOTE_FEED_KEPT, "feed-kept") \
+    x(NCK_NOTE_LENGTH, "assumed-length") \
     x(NCK_NOTE_INTEGERS, "assumed-integers")
 
 #define CODE(code, id) code,

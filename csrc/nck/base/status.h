@@ -139,6 +139,8 @@ typedef enum nck_note {
                              // ahead, or moves what no text tells, and the machine does not say
                              // what that means; letter G, value: the code
     NCK_NOTE_CLIPPED = 18,   // "speed-clipped": S is more than the spindle has: grbl clips it
+    NCK_NOTE_FEED_KEPT = 19, // "feed-kept": F0 or a negative F, which a printer does not hear
+    NCK_NOTE_LENGTH = 21,    // "assumed-length": H of a machine without a tool table is 0
     NCK_NOTE_INTEGERS = 15   // "assumed-integers": a length, angle or dwell of Fanuc's has no point
 } nck_note_t;
 

@@ -107,6 +107,14 @@ void nck_decode_name_line(nck_decode_t *self, uint32_t name);
 // to come. An end is over. Modes and offsets stay. Cost: a copy of the room. Context: prep.
 void nck_decode_drop(nck_decode_t *self);
 
+// The modes that are in force behind the last block given, as one word (in_force.h). Cost:
+// constant. Context: prep.
+uint32_t nck_decode_modes(const nck_decode_t *self);
+
+// The same behind a quick line, where the word before is known: it changes the motion alone. Cost:
+// constant. Context: prep.
+uint32_t nck_decode_moves(const nck_decode_t *self, uint32_t modes);
+
 // Say that the text is complete: a last line without line feed counts, and the program ends there
 // if it has not. Cost: constant. Context: prep.
 void nck_decode_end(nck_decode_t *self);

@@ -182,12 +182,6 @@ static nck_status_t check_way(nck_decode_t *self) {
                            (double)self->machine->dialect.from_line, 0.0);
 }
 
-// Where all of it is: where the tool would be.
-static void stand(const nck_decode_t *self, nck_block_t *out) {
-    memcpy(out->target_nm, self->entry.at_nm, sizeof out->target_nm);
-    for (unsigned axis = 0; axis < 3; axis++) out->target_nm[axis] -= out->tool_nm[axis];
-}
-
 nck_status_t nck_entry_next(nck_decode_t *self, nck_block_t *out) {
     nck_status_t status = NCK_EMPTY;
     self->line.tag = self->line.number;
@@ -201,7 +195,11 @@ nck_status_t nck_entry_next(nck_decode_t *self, nck_block_t *out) {
         status = give(self, self->entry.phase, out);
         self->entry.phase++;
     }
-    if (status == NCK_OK) stand(self, out);
-    else self->entry.waits = NCK_ENTRY_NOT;
-    return status;
+    if (status != NCK_OK) {
+        self->entry.waits = NCK_ENTRY_NOT;
+        return status;
+    }
+    memcpy(out->target_nm, self->entry.at_nm, sizeof out->target_nm); // where the tool would be
+    for (unsigned axis = 0; axis < 3; axis++) out->target_nm[axis] -= out->tool_nm[axis];
+    return NCK_OK;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A session: how it begins, what it is told between lines, and what of it is dropped. decode.c has
 // what it makes of a line.
+#include "nck/base/in_force.h" // nck_force_t
 #include "nck/prep/1_decode/decode.h"
 #include "nck/prep/1_decode/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_spline_break
@@ -85,4 +86,31 @@ void nck_decode_drop(nck_decode_t *self) {
     self->text.over = 0;
     self->text.watch = 0;
     self->text.quick = 0;
+}
+
+// What lines that only move may change. Where there is no motion it is below 0.
+static inline uint32_t moves_of(const nck_decode_t *self) {
+    return ((uint32_t)self->modal.motion & NCK_FORCE_MOTION_MASK)
+           | (uint32_t)self->modal.incremental << NCK_FORCE_INCREMENTAL;
+}
+
+// And all else.
+static uint32_t others_of(const nck_decode_t *self) {
+    const nck_modes_t *const modal = &self->modal;
+    uint32_t modes = 1u << NCK_FORCE_KNOWN | self->place.work_system << NCK_FORCE_SYSTEM;
+    modes |= (uint32_t)(modal->plane - 17) << NCK_FORCE_PLANE;
+    modes |= (uint32_t)modal->feed_mode << NCK_FORCE_FEED_MODE;
+    modes |= (uint32_t)modal->path_mode << NCK_FORCE_PATH_MODE;
+    modes |= (uint32_t)modal->spindle_code << NCK_FORCE_SPINDLE_CODE;
+    modes |= (uint32_t)modal->coolant << NCK_FORCE_COOLANT;
+    modes |= (uint32_t)modal->inch << NCK_FORCE_INCH;
+    modes |= (uint32_t)modal->diameter << NCK_FORCE_DIAMETER;
+    return modes | (uint32_t)modal->spindle_on << NCK_FORCE_SPINDLE_ON;
+}
+
+uint32_t nck_decode_modes(const nck_decode_t *self) { return others_of(self) | moves_of(self); }
+
+uint32_t nck_decode_moves(const nck_decode_t *self, uint32_t modes) {
+    const uint32_t moves = NCK_FORCE_MOTION_MASK | 1u << NCK_FORCE_INCREMENTAL;
+    return (modes & ~moves) | moves_of(self);
 }

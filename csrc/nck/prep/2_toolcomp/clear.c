@@ -82,12 +82,6 @@ static void sound(nck_toolcomp_t *self, const nck_shape_t *shape, double along, 
     if (deep > depth->most) *depth = (depth_t){deep, contour};
 }
 
-// A piece as it is on the path.
-static void on_path(nck_toolcomp_t *self, const nck_comp_piece_t *piece, nck_shape_t *out) {
-    const nck_comp_span_t *const span = &nck_comp_at(self, piece->of)->path[piece->part];
-    nck_shape_part(&piece->shape, span->from, span->to, out);
-}
-
 static int is_inside(const nck_shape_t *shape, double along) {
     return along > NCK_COMP_CLOSE && along < shape->length - NCK_COMP_CLOSE;
 }
@@ -113,7 +107,7 @@ static int is_fault(nck_toolcomp_t *self, const nck_shape_t *shape, const nck_co
     nck_shape_t shapes[2];
     nck_meeting_t at[2];
     shapes[0] = *shape;
-    on_path(self, other, &shapes[1]);
+    nck_comp_on_path(self, other, &shapes[1]);
     const unsigned count = nck_shape_cross(&shapes[0], &shapes[1], at);
     for (unsigned k = 0; k < count; k++) {
         const int inside = is_inside(&shapes[0], at[k].on_a) && is_inside(&shapes[1], at[k].on_b);
@@ -247,7 +241,7 @@ nck_status_t nck_comp_hold(nck_toolcomp_t *self) {
     const uint32_t of = self->walk.piece.of;
     nck_shape_t shape;
     if (!is_held(self)) return NCK_OK;
-    on_path(self, &self->walk.piece, &shape);
+    nck_comp_on_path(self, &self->walk.piece, &shape);
     for (uint32_t m = nck_comp_next(self, of); m != self->ring.head; m = nck_comp_next(self, m)) {
         if (nck_comp_at(self, m)->rapid) return NCK_OK;
         if (!are_apart(self, of, m) && crosses(self, &shape, m)) return fail(self, &shape, m);

@@ -5,7 +5,7 @@
 #include <string.h> // memcpy
 
 #include "nck/base/arc_math.h" // nck_arc_…
-#include "nck/base/real.h"     // nck_floor nck_fabs
+#include "nck/base/real.h"     // nck_floor nck_fabs nck_rounded
 
 #define PER_MINUTE 60.0 // seconds
 
@@ -13,7 +13,7 @@
 static void target(nck_toolcomp_t *self, const double *centre, int64_t *target_nm) {
     for (unsigned k = 0; k < 2; k++) {
         const double place = (centre[k] + self->nose[k]) * 1e6;
-        target_nm[self->axis[k]] = (int64_t)nck_floor(place + 0.5);
+        target_nm[self->axis[k]] = nck_rounded(place);
     }
 }
 
@@ -95,7 +95,7 @@ static void share_others(const nck_toolcomp_t *self, const nck_block_t *block, d
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
         const int64_t given_nm = self->given_nm[axis];
         const double way = (double)(block->target_nm[axis] - given_nm) * share;
-        out->target_nm[axis] = given_nm + (int64_t)nck_floor(way + 0.5);
+        out->target_nm[axis] = given_nm + nck_rounded(way);
     }
 }
 

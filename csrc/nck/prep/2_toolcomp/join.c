@@ -6,6 +6,7 @@
 
 #include <string.h> // memcpy
 
+#include "nck/base/arc_math.h"  // nck_arc_outer
 #include "nck/base/real.h"      // nck_min nck_max
 #include "nck/base/trig_math.h" // NCK_PI nck_sincos
 
@@ -27,7 +28,7 @@ static int turns_towards(const nck_toolcomp_t *self, const nck_comp_piece_t *fro
     double out[2];
     nck_shape_tangent(&from->shape, at->on_a, in);
     nck_shape_tangent(&to->shape, at->on_b, out);
-    return self->side * (in[0] * out[1] - in[1] * out[0]) > TOWARDS;
+    return self->side * nck_arc_outer(in, out) > TOWARDS;
 }
 
 // Does the path cross the new piece on this one? Then it leaves this one there. reach: so little of

@@ -71,11 +71,6 @@ static int ends_fit(nck_toolcomp_t *self, apart_t *gap) {
            || (to->part == NCK_COMP_BESIDE && fits(self, gap, to->of, before));
 }
 
-static void side_of(nck_toolcomp_t *self, const nck_comp_piece_t *piece, nck_shape_t *out) {
-    const nck_comp_span_t *const span = &nck_comp_at(self, piece->of)->path[piece->part];
-    nck_shape_part(&piece->shape, span->from, span->to, out);
-}
-
 // How far a corner of the contour is from the path on both sides of the gap.
 static double reach(const apart_t *gap, const double *point) {
     return nck_min(nck_shape_distance(&gap->side[0], point),
@@ -168,8 +163,8 @@ nck_status_t nck_comp_judge(nck_toolcomp_t *self) {
     gap.to = &next;
     gap.of = first;
     gap.other = first;
-    side_of(self, piece, &gap.side[0]);
-    side_of(self, &next, &gap.side[1]);
+    nck_comp_on_path(self, piece, &gap.side[0]);
+    nck_comp_on_path(self, &next, &gap.side[1]);
     const int ends = ends_fit(self, &gap);
     const uint32_t end = next.part == NCK_COMP_ABOUT && !lost ? next.of : next.of + 1;
     const int fit = ends || leave_out_until(self, &gap, piece->of, end);

@@ -37,6 +37,9 @@ nck_status_t nck_comp_way_in(const nck_toolcomp_t *self, nck_block_t *block);
 // ring.c: the next entry with a contour behind this one, or ring.head. Cost: linear in the ring.
 uint32_t nck_comp_next(nck_toolcomp_t *self, uint32_t count);
 
+// pieces.c: a piece as it is on the path. Cost: constant.
+void nck_comp_on_path(nck_toolcomp_t *self, const nck_comp_piece_t *piece, nck_shape_t *out);
+
 // pieces.c: the piece of the path behind this one. 0: there is none yet. Cost: linear in the ring.
 int nck_comp_following(nck_toolcomp_t *self, const nck_comp_piece_t *piece, nck_comp_piece_t *out);
 

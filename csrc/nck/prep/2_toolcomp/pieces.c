@@ -7,7 +7,7 @@
 //        |      |         E
 #include "nck/prep/2_toolcomp/parts.h"
 
-#include "nck/base/arc_math.h" // nck_arc_angle
+#include "nck/base/arc_math.h" // nck_arc_angle nck_arc_inner nck_arc_outer
 #include "nck/base/real.h"     // nck_fabs nck_atan2
 
 #define STRAIGHT 1e-9 // sine of the angle of a corner that turns nowhere, or right back
@@ -25,9 +25,9 @@ int nck_comp_enter(const nck_toolcomp_t *self, const nck_shape_t *contour, nck_s
     nck_shape_tangent(contour, contour->length, tangent);
     const double turn = nck_shape_turn(contour);
     const double to[2] = {self->at[0] - beside.q[0], self->at[1] - beside.q[1]};
-    const double aside = turn * (tangent[0] * to[1] - tangent[1] * to[0]);
+    const double aside = turn * nck_arc_outer(tangent, to);
     if (!any || !(aside > 0.0)) return 0;
-    const double radius = 0.5 * (to[0] * to[0] + to[1] * to[1]) / aside;
+    const double radius = 0.5 * nck_arc_inner(to, to) / aside;
     const double arm[2] = {-turn * radius * tangent[1], turn * radius * tangent[0]};
     const double c[2] = {beside.q[0] + arm[0], beside.q[1] + arm[1]};
     const double angle = nck_arc_angle(-to[0], -to[1], arm[0] - to[0], arm[1] - to[1], turn);
@@ -88,6 +88,11 @@ void nck_comp_piece(nck_toolcomp_t *self, uint32_t count, nck_comp_part_t part,
     else if (upright || entry->leaves) way(self, entry, &out->shape);
     else if (entry->enters) (void)nck_comp_enter(self, &entry->contour, &out->shape);
     else (void)nck_shape_parallel(&entry->contour, self->side * self->radius, &out->shape);
+}
+
+void nck_comp_on_path(nck_toolcomp_t *self, const nck_comp_piece_t *piece, nck_shape_t *out) {
+    const nck_comp_span_t *const span = &nck_comp_at(self, piece->of)->path[piece->part];
+    nck_shape_part(&piece->shape, span->from, span->to, out);
 }
 
 int nck_comp_following(nck_toolcomp_t *self, const nck_comp_piece_t *piece, nck_comp_piece_t *out) {

@@ -4,16 +4,12 @@
 
 #include <string.h> // memcpy memset
 
-#include "nck/base/arc_math.h" // nck_arc_norm nck_arc_angle NCK_PI
+#include "nck/base/arc_math.h" // nck_arc_inner nck_arc_norm nck_arc_angle NCK_PI …
 #include "nck/base/real.h"     // nck_sqrt nck_fabs nck_min nck_max nck_floor
 
 #define ROUNDING 1e-6  // [mm] a place so little before the beginning, or behind the end, is on it
 #define PARALLEL 1e-12 // sine of the angle between lines that do not cross
 #define SMALLEST 1e-6  // [mm] radius of an arc
-
-static double inner(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1]; }
-
-static double outer(const double *a, const double *b) { return a[0] * b[1] - a[1] * b[0]; }
 
 static double way(const double *from, const double *to, double *out) {
     out[0] = to[0] - from[0];
@@ -77,7 +73,7 @@ static double along_arc(const nck_shape_t *self, const double *arm) {
     double from[2];
     (void)way(self->c, self->p, from);
     const double turn = nck_shape_turn(self);
-    double angle = nck_atan2(turn * outer(from, arm), inner(from, arm));
+    double angle = nck_atan2(turn * nck_arc_outer(from, arm), nck_arc_inner(from, arm));
     if (angle < 0.0) angle += 2.0 * NCK_PI;
     const double along = angle * self->radius;
     const double before = along - 2.0 * NCK_PI * self->radius;
@@ -95,9 +91,9 @@ double nck_shape_distance(const nck_shape_t *self, const double *point) {
     }
     double along[2];
     const double length = way(self->p, self->q, along);
-    const double foot = inner(from, along);
+    const double foot = nck_arc_inner(from, along);
     if (!(foot > 0.0 && foot < length * length)) return ends;
-    return nck_fabs(outer(along, from)) / length;
+    return nck_fabs(nck_arc_outer(along, from)) / length;
 }
 
 double nck_shape_along(const nck_shape_t *self, const double *point) {
@@ -106,7 +102,7 @@ double nck_shape_along(const nck_shape_t *self, const double *point) {
         double along[2];
         const double length = way(self->p, self->q, along);
         (void)way(self->p, point, arm);
-        return length > 0.0 ? inner(arm, along) / length : 0.0;
+        return length > 0.0 ? nck_arc_inner(arm, along) / length : 0.0;
     }
     (void)way(self->c, point, arm);
     return along_arc(self, arm);
@@ -167,10 +163,10 @@ static unsigned line_with_line(const nck_shape_t *a, const nck_shape_t *b, nck_m
     double v[2];
     double between[2];
     const double lengths = way(a->p, a->q, u) * way(b->p, b->q, v);
-    const double sine = outer(u, v);
+    const double sine = nck_arc_outer(u, v);
     if (!(nck_fabs(sine) > PARALLEL * lengths)) return 0;
     (void)way(a->p, b->p, between);
-    const double share = outer(between, v) / sine;
+    const double share = nck_arc_outer(between, v) / sine;
     const double point[2] = {a->p[0] + share * u[0], a->p[1] + share * u[1]};
     return add(a, b, point, out);
 }
@@ -197,10 +193,10 @@ static unsigned line_with_arc(const nck_shape_t *a, const nck_shape_t *b, int sw
     const double length = way(line->p, line->q, along);
     if (!(length > 0.0)) return 0;
     (void)way(line->p, arc->c, to);
-    const double aside = outer(along, to) / length;
+    const double aside = nck_arc_outer(along, to) / length;
     const double rest = (arc->radius - aside) * (arc->radius + aside);
     if (!(rest > 0.0)) return 0;
-    const double foot = inner(along, to) / (length * length);
+    const double foot = nck_arc_inner(along, to) / (length * length);
     const double half = nck_sqrt(rest) / length;
     const double base[2] = {line->p[0] + foot * along[0], line->p[1] + foot * along[1]};
     const double step[2] = {half * along[0], half * along[1]};
@@ -242,7 +238,7 @@ int nck_shape_are_far(const nck_shape_t *a, const nck_shape_t *b, double distanc
     double middle[2][2];
     const double reach = circle_about(a, middle[0]) + circle_about(b, middle[1]) + distance;
     const double between[2] = {middle[1][0] - middle[0][0], middle[1][1] - middle[0][1]};
-    return inner(between, between) > reach * reach;
+    return nck_arc_inner(between, between) > reach * reach;
 }
 
 // How far along the shape's nearest point to this one is.

@@ -2,6 +2,7 @@
 // Inside room 3: runs of blocks within a tolerance as clocked paths.
 #include "nck/prep/3_smooth/clocked.h"
 
+#include <stddef.h> // offsetof
 #include <string.h> // memcpy memset
 
 #include "nck/base/path_math.h"        // nck_path_slope
@@ -37,14 +38,20 @@ static void set_terms(nck_timing_terms_t *out, const nck_terms_t *terms) {
     }
     out->a_least = machine->path.a_max;
     out->j_least = machine->path.j_max;
+    out->smooth_least = nck_min(out->j_least, out->a_least / out->tau);
+    out->longest = terms->knots_most;
     for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
         out->v[x] = axis->present ? axis->v_max : 1.0;
         out->a[x] = axis->present ? axis->a_max : 1.0;
         out->j[x] = axis->present ? axis->j_max : 1.0;
+        out->smooth[x] = nck_min(out->j[x], out->a[x] / out->tau);
         if (!axis->present) continue;
+        out->smooth_least = nck_min(out->smooth_least, out->smooth[x]);
+        out->v_most = nck_max(out->v_most, axis->v_max);
         out->a_least = nck_min(out->a_least, axis->a_max);
-        out->a_most = nck_max(out->a_most, axis->a_max);
+        const double by_jerk = nck_sqrt(2.0 * axis->v_max * axis->j_max);
+        out->a_reached = nck_max(out->a_reached, nck_min(axis->a_max, by_jerk));
         out->j_least = nck_min(out->j_least, axis->j_max);
     }
 }
@@ -64,6 +71,10 @@ static void open_run(nck_clocked_t *self, const nck_terms_t *terms, const nck_se
     self->out.tail = 0;
     memcpy(self->position, seg->start, sizeof self->position);
     nck_stream_begin(&self->stream, &wish);
+}
+
+void nck_clocked_init(nck_clocked_t *self) {
+    if (NCK_HAS_OPTIMAL) memset(self, 0, offsetof(nck_clocked_t, stream)); // which each run begins
 }
 
 nck_status_t nck_clocked_push(nck_clocked_t *self, const nck_terms_t *terms, const nck_seg_t *seg,

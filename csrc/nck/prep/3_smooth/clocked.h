@@ -26,6 +26,9 @@ typedef struct nck_clocked {
     nck_stream_t stream;
 } nck_clocked_t;
 
+// None is open. Cost: constant. Context: any, before the tick runs.
+void nck_clocked_init(nck_clocked_t *self);
+
 // 1 if an output has room in the run. Cost: constant. Context: prep.
 static inline int nck_clocked_has_room(const nck_clocked_t *self) {
     return self->out.head - self->out.tail < NCK_CLOCKED_OUTPUTS;

@@ -92,6 +92,7 @@ double nck_raw_curvature(const nck_seg_t *seg, int axes);
 // What the program says of a motion, from one seg to another. Cost: constant.
 static inline void nck_raw_take_words(const nck_seg_t *from, nck_seg_t *seg) {
     seg->line = from->line;
+    seg->modes = from->modes;
     seg->block = from->block;
     seg->rapid = from->rapid;
     seg->keeps = from->keeps;

@@ -6,27 +6,13 @@
 
 #include "nck/base/path.h" // nck_path_second_part
 #include "nck/base/real.h" // nck_num_max nck_num_min …
+#include "nck/prep/3_smooth/reference.h" // nck_reference_follow nck_reference_point
 
 #define PLENTY 8      // bins of the window may have as many samples as this one without its choice
 #define PARTS 8       // of a stretch, where its bound is not within P
 #define REST_BINS 16  // of an interval on the way to a rest, over which s is as good as straight
 #define ROUNDING ((nck_num)2e-6) // [mm] kept of the tolerance: setpoints are whole nanometres
 #define LOSS (8 * NCK_NUM_EPSILON) // what eight sums lose of the largest number in them
-
-// The program's point at s.
-static void find_point(nck_stream_t *self, double s, double *point_out) {
-    self->near = nck_track_find(&self->track, self->near, s);
-    nck_track_point(&self->track, self->near, s, point_out);
-}
-
-void nck_sample_reference(nck_stream_t *self, int k) {
-    const nck_timing_t *const clock = &self->clock;
-    double *const point = self->point[k];
-    memcpy(point, self->joint[k < 3 ? k : 2], sizeof self->point[k]); // axes that never move
-    if (k < 3) return;
-    if (clock->ends && k >= clock->knots) memcpy(point, self->track.end, sizeof self->point[k]);
-    else find_point(self, clock->s[4 * (k - 1)], point);
-}
 
 // The curve in an interval, from a point of the program near it: coefficients of w, w = 0 … 1, an
 // axis a row [mm].
@@ -120,7 +106,7 @@ static nck_num place_of(const bin_t *bin, double s) {
 // Of the tolerance what the curve may be off at samples: less by what may lie between them [mm].
 static nck_num room_of(const nck_stream_t *self, nck_num tolerance) {
     const nck_num quarter = (nck_num)(0.25 * self->wish.terms.tau);
-    const nck_num lies_between = (nck_num)self->wish.terms.a_most * quarter * quarter / 8;
+    const nck_num lies_between = (nck_num)self->wish.terms.a_reached * quarter * quarter / 8;
     return nck_num_max(tolerance - ROUNDING - lies_between, tolerance / 2);
 }
 
@@ -240,10 +226,12 @@ static void fill_bin(nck_stream_t *self, const cubic_t *cubic, const bin_t *bin,
 
 void nck_sample_interval(nck_stream_t *self, int i) {
     const nck_timing_terms_t *const terms = &self->wish.terms;
-    const double per = 6.0 / (terms->j_least * terms->tau * terms->tau * terms->tau);
+    double per = 6.0 / (terms->smooth_least * terms->tau * terms->tau * terms->tau);
     cubic_t cubic;
     nck_num jerk[NCK_AXIS_MAX];
     set_interval(self, i, &cubic);
+    nck_reference_follow(self, i);
+    if (nck_timing_is_wide(&self->clock, &self->track, &self->near, i)) per = 0.0;
     for (int n = 0; n < self->moving; n++) jerk[n] = (nck_num)per * cubic.of[self->axis[n]][3];
     nck_fair_set_jerk(&self->work.fair, i, jerk);
     for (int k = 0; k < NCK_FAIR_BINS; k++) {
@@ -451,14 +439,14 @@ static void set_outside(int axes, const double *before, const double *behind, do
 void nck_sample_rest(nck_stream_t *self, const double *s, nck_sample_rest_t *rest) {
     double way[3][NCK_AXIS_MAX];
     set_places(self, s, rest);
-    for (int n = 2; n < 4; n++) find_point(self, rest->place[n], way[n - 1]);
+    for (int n = 2; n < 4; n++) nck_reference_point(self, rest->place[n], way[n - 1]);
     for (int n = 3; n < NCK_SAMPLE_REST + 3; n++) {
         memcpy(way[0], way[1], sizeof way[0]);
         memcpy(way[1], way[2], sizeof way[1]);
         memcpy(rest->point[n], rest->point[2], sizeof rest->point[n]); // axes that never move
         memcpy(rest->point[n], way[1], (size_t)self->track.axes * sizeof way[1][0]);
         if (n >= NCK_SAMPLE_REST) continue;
-        find_point(self, rest->place[n + 1], way[2]);
+        nck_reference_point(self, rest->place[n + 1], way[2]);
         set_outside(self->track.axes, way[0], way[2], rest->point[n]);
     }
 }

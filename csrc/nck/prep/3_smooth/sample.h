@@ -5,10 +5,6 @@
 
 #include "nck/prep/3_smooth/stream.h" // nck_stream_t
 
-// The reference's control point k, of knots + 3: on the program at its knot; at rests and joints
-// what it has to be. Cost: one point. Context: prep.
-void nck_sample_reference(nck_stream_t *self, int k);
-
 // What interval i asks of the curve: the reference's jerk, samples of four bins.
 // Cost: 4 points, and linear in elements. Context: prep.
 void nck_sample_interval(nck_stream_t *self, int i);

@@ -32,7 +32,10 @@ static double fastest(const nck_machine_t *machine) {
 
 void nck_smooth_init(nck_smooth_t *self, const nck_terms_t *terms) {
     const nck_machine_t *const machine = terms->machine;
-    memset(self, 0, sizeof *self);
+    memset(self, 0, offsetof(nck_smooth_t, raw.at)); // what the ring holds is read once written
+    memset(&self->divide, 0,
+           offsetof(nck_smooth_t, run) + sizeof self->run - offsetof(nck_smooth_t, divide));
+    nck_clocked_init(NCK_OPTIMAL_AT(self, clocked));
     self->terms = terms;
     memcpy(self->position_nm, machine->start_nm, sizeof self->position_nm);
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
@@ -127,6 +130,7 @@ static nck_status_t make_motion(const nck_smooth_t *self, const nck_block_t *blo
 // The exact seg of a block that moves or rests.
 static nck_status_t make_seg(const nck_smooth_t *self, const nck_block_t *block, nck_seg_t *seg) {
     seg->line = block->line;
+    seg->modes = block->modes;
     seg->feed_scale = 1.0;
     set_spin(seg, block);
     memcpy(seg->start, self->position, sizeof seg->start);

@@ -132,8 +132,6 @@ typedef struct nck_smooth {
         nck_seg_t seg;
     } divide;
 
-    NCK_OPTIMAL_MEMBER(nck_clocked_t, clocked) // the run in work, of the optimal slope
-
     // The newest block, as lines are joined to it.
     NCK_SMOOTH_STATE {
         uint32_t count;    // vertices that have vanished in it
@@ -165,6 +163,8 @@ typedef struct nck_smooth {
         double reach[6][2];        // and is made of the path from … to [path mm]
         double position[NCK_AXIS_MAX]; // end of its last seg
     } run;
+
+    NCK_OPTIMAL_MEMBER(nck_clocked_t, clocked) // the run in work, of the optimal slope
 } nck_smooth_t;
 
 // Begin at the machine's start position. Cost: constant. Context: any, before the tick runs.

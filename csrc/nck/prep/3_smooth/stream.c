@@ -5,6 +5,7 @@
 #include <string.h> // memcpy memset
 
 #include "nck/base/real.h"            // nck_fabs nck_max nck_min
+#include "nck/prep/3_smooth/reference.h" // nck_reference_set
 #include "nck/prep/3_smooth/sample.h" // nck_sample_…
 
 #define SHARE 0.98 // of P that samples may use: the solver is done when it is not far off
@@ -34,6 +35,7 @@
 #define POINTS 8   // reference points and nodes a call
 
 void nck_stream_begin(nck_stream_t *self, const nck_stream_wish_t *wish) {
+    static const int nothing[3] = {0, 0, 0};
     self->wish = *wish;
     self->phase = NCK_STREAM_GUESS;
     self->at = 0;
@@ -50,7 +52,7 @@ void nck_stream_begin(nck_stream_t *self, const nck_stream_wish_t *wish) {
     memset(self->joint, 0, sizeof self->joint);
     nck_track_begin(&self->track, wish->terms.axes, wish->terms.tau);
     nck_timing_begin(&self->clock, &self->wish.terms);
-    nck_timing_keep(&self->clock, &self->work.list, self->b, 0, 0, 0);
+    nck_timing_keep(&self->clock, &self->work.list, &self->track, self->b, nothing);
 }
 
 nck_status_t nck_stream_push(nck_stream_t *self, const nck_seg_t *seg, double tolerance) {
@@ -138,9 +140,9 @@ static void begin_fair(nck_stream_t *self) {
     task.ends = self->clock.ends;
     task.most = MOST;
     task.gap = (nck_num)self->wish.gap;
-    task.scale = (nck_num)(self->unit / (terms->j_least * tau * tau * tau));
+    task.scale = (nck_num)(self->unit / (terms->smooth_least * tau * tau * tau));
     for (int n = 0; n < self->moving; n++) {
-        const double share = terms->j_least / terms->j[self->axis[n]];
+        const double share = terms->smooth_least / terms->smooth[self->axis[n]];
         task.weight[n] = (nck_num)(share * share);
     }
     nck_fair_begin(&self->work.fair, &task);
@@ -148,7 +150,7 @@ static void begin_fair(nck_stream_t *self) {
 
 static nck_status_t set_reference(nck_stream_t *self) {
     const int points = self->clock.knots + 3;
-    for (int k = 0; k < POINTS && self->at < points; k++) nck_sample_reference(self, self->at++);
+    for (int k = 0; k < POINTS && self->at < points; k++) nck_reference_set(self, self->at++);
     if (self->at < points) return NCK_OK;
     begin_fair(self);
     self->near = self->track.tail;
@@ -197,8 +199,9 @@ static int to_commit(const nck_stream_t *self) {
 static nck_status_t slow_down(nck_stream_t *self) {
     for (int k = 0; k <= self->clock.knots; k++) self->b[k] = (nck_num)0.25;
     self->told.slowed++;
-    nck_timing_keep(&self->clock, &self->work.list, self->b, 0, self->clock.knots,
-                   self->clock.begins ? 0 : BLEND_SOON);
+    self->clock.even = 1;
+    const int span[3] = {0, self->clock.knots, self->clock.begins ? 0 : BLEND_SOON};
+    nck_timing_keep(&self->clock, &self->work.list, &self->track, self->b, span);
     return go(self, NCK_STREAM_CLOCK);
 }
 
@@ -357,8 +360,9 @@ static void set_node(nck_stream_t *self, int k) {
     double least = 1.0 / FASTEST;
     least = nck_max(least, slowness * slowness);
     if (feed > 0.0) least = nck_max(least, square / (feed * feed));
-    const nck_num cap_and_b[2] = {(nck_num)(1.0 / least),
-                                  (nck_num)(self->told.plans > 0 ? NEAR : FRESH)};
+    const double pace = (self->told.plans > 0 ? NEAR : FRESH)
+                        * nck_timing_pace(&self->clock, &self->track, &self->near, k);
+    const nck_num cap_and_b[2] = {(nck_num)(1.0 / least), (nck_num)pace};
     nck_motion_node(&self->work.motion, k, p1, p2, cap_and_b);
 }
 
@@ -375,17 +379,19 @@ static void turn(nck_stream_t *self, int from) {
     const int known = knots - OPEN > from + 2 ? knots - OPEN : from + 2;
     const int to = self->clock.ends || known > knots ? knots : known;
     const int blend = self->clock.begins && from == 0 ? 0 : (int)BLEND;
-    nck_timing_keep(&self->clock, &self->work.list, self->b, from, to, blend);
+    const int span[3] = {from, to, blend};
+    nck_timing_keep(&self->clock, &self->work.list, &self->track, self->b, span);
 }
 
 // 1 if the plan along the curve is its clock: another round would change nothing.
 static int is_steady(const nck_stream_t *self) {
     const int to = self->clock.knots < self->given + AHEAD ? self->clock.knots
                                                            : self->given + AHEAD;
+    uint32_t near = self->track.tail;
     nck_num sum = 0;
     for (int k = 0; k <= to; k++) {
-        const nck_num off = NCK_NUM_SQRT(self->b[k]) - 1;
-        sum += NCK_NUM_ABS(off);
+        const nck_num now = nck_timing_factor(&self->clock, &self->track, &near, k, self->b[k]);
+        sum += NCK_NUM_ABS(now - 1);
     }
     return sum <= (nck_num)STEADY * (nck_num)(to + 1);
 }
@@ -426,6 +432,7 @@ static nck_status_t next_window(nck_stream_t *self) {
     self->round = 0;
     self->tries = 0;
     self->share = SHARE;
+    self->clock.even = 0;
     return go(self, NCK_STREAM_GUESS);
 }
 

@@ -8,11 +8,24 @@
 
 #define RUNG 1.4422495703074083 // ∛3: what a rung is longer than the last one; the third from it
                                 // is 3 times as long
-#define REACH ((nck_num)0.06) // [s] at the feed: what bends further apart ask for the passes know,
-                              // too
+#define REACH 0.06 // [s] at the feed: what bends further apart ask for the passes know, too …
+#define REACH_KNOTS 15.0 // … and so many knots
 #define USE ((nck_num)0.8)    // share of what the rungs allow: a curve is not as good everywhere
+// A knot on a line is as long as τ at its speed, or so much of the way to the line's next end.
+// Twice as much costs stiff machines 0.3 % of time, half of it soft ones a tenth: they see no stop
+// as a whole.
+#define GROWS 0.04
+// … but knots grow no faster than √(so much J/v) a second: what the clock has of jerk, v(ṁ/m)², the
+// motion takes away again, to a few per cent. 0.3 costs 0.3 % of time, 0.03 wins none.
+#define SWINGS 0.1
+#define STRETCHED ((nck_num)0.6) // of the clock's speed: where knots may be as far apart they are
 #define SLOWEST ((nck_num)0.3) // the least and
 #define FASTEST ((nck_num)1.5) // most that a plan may change the clock by at once
+
+// How far a place looks about, in time at the feed [s].
+static double reach_of(const nck_timing_t *self) {
+    return nck_max(REACH, REACH_KNOTS * self->terms->tau);
+}
 
 void nck_timing_begin(nck_timing_t *self, const nck_timing_terms_t *terms) {
     self->terms = terms;
@@ -22,6 +35,7 @@ void nck_timing_begin(nck_timing_t *self, const nck_timing_terms_t *terms) {
     self->brakes = 0;
     self->ends = 0;
     self->begins = 1;
+    self->even = 0;
     self->phase = NCK_TIMING_ADD;
     self->at = 0;
     self->knots = 0;
@@ -119,7 +133,7 @@ static nck_num look_around(nck_timing_t *self, const nck_track_t *track, sight_t
     if (v * v * v * bends.third > USE * USE * USE) {
         v = USE * (nck_num)nck_root_cube(1.0 / (double)bends.third);
     }
-    const nck_num least = (nck_num)(0.5 * terms->j_least * terms->tau * terms->tau);
+    const nck_num least = (nck_num)(0.5 * terms->smooth_least * terms->tau * terms->tau);
     return nck_num_max(v, least);
 }
 
@@ -128,10 +142,12 @@ static nck_num look_around(nck_timing_t *self, const nck_track_t *track, sight_t
 static double next_place(nck_timing_t *self, double end) {
     const nck_timing_terms_t *const terms = self->terms;
     const double half = 0.5 * terms->tau;
-    const double least = NCK_TIMING_LEAVE * terms->j_least * half * half * half / 6.0;
+    const double least = NCK_TIMING_LEAVE * terms->smooth_least * half * half * half / 6.0;
     if (self->guess.head == 0) return 0.0;
-    const double s = nck_timing_place(self, self->guess.head - 1)->s;
-    const double step = nck_max(least, half * (double)self->guess.v);
+    const nck_place_t *const last = nck_timing_place(self, self->guess.head - 1);
+    const nck_num rate = nck_timing_rate(terms, self->guess.v, last->wide);
+    const double s = last->s;
+    const double step = nck_max(least, half * (double)rate);
     if (!self->closed) return s + step;
     return s > 0.0 && end - s <= least ? end : s + nck_min(step, 0.5 * (end - s));
 }
@@ -141,13 +157,13 @@ static nck_num speed_of(nck_timing_t *self, const nck_track_t *track, sight_t *s
                        const nck_track_element_t *element) {
     const nck_num feed = (nck_num)element->words.feed;
     const double s = sight->middle.s;
-    const nck_num around = look_around(self, track, sight, REACH * feed);
+    const nck_num around = look_around(self, track, sight, (nck_num)reach_of(self) * feed);
     const nck_num v = nck_timing_near_rest(self->terms, s, nck_num_min(around, feed));
     return self->closed ? nck_timing_near_rest(self->terms, sight->known - s, v) : v;
 }
 
 // The guess goes on to a place.
-static void add_place(nck_timing_t *self, double s, nck_num v) {
+static void add_place(nck_timing_t *self, double s, nck_num v, nck_num wide) {
     if (self->guess.head > 0) {
         const double h = s - nck_timing_place(self, self->guess.head - 1)->s;
         const nck_num most =
@@ -157,6 +173,7 @@ static void add_place(nck_timing_t *self, double s, nck_num v) {
     nck_place_t *const place = nck_timing_place(self, self->guess.head++);
     place->s = s;
     place->v = v;
+    place->wide = wide;
 }
 
 nck_status_t nck_timing_look(nck_timing_t *self, const nck_track_t *track) {
@@ -169,14 +186,15 @@ nck_status_t nck_timing_look(nck_timing_t *self, const nck_track_t *track) {
     uint32_t *const near = &self->guess.near[2 * NCK_TIMING_RUNGS];
     *near = nck_track_find(track, *near, s);
     const nck_track_element_t *const element = nck_track_at(track, *near);
-    if (!self->closed && s + (double)REACH * element->words.feed > sight.known) {
+    if (!self->closed && s + reach_of(self) * element->words.feed > sight.known) {
         if (!nck_track_is_full(track) && !self->hurries) return NCK_EMPTY;
         self->brakes = self->guess.head - self->guess.tail < NCK_FAIR_WINDOW;
         if (s > sight.known) return NCK_DONE;
     }
     sight.tolerance = (nck_num)element->tolerance;
     nck_track_view(track, *near, s, &sight.middle);
-    add_place(self, s, speed_of(self, track, &sight, element));
+    const nck_num wide = nck_timing_wide(self, track, near, s);
+    add_place(self, s, speed_of(self, track, &sight, element), wide);
     self->looked = self->closed && s >= sight.known;
     return NCK_OK;
 }
@@ -188,7 +206,7 @@ int nck_timing_hurry(nck_timing_t *self) {
 
 double nck_timing_reach(const nck_timing_t *self, const nck_track_t *track) {
     const uint32_t near = nck_track_find(track, track->tail, self->s[0]);
-    return (double)REACH * nck_track_at(track, near)->words.feed;
+    return reach_of(self) * nck_track_at(track, near)->words.feed;
 }
 
 void nck_timing_drop(nck_timing_t *self, double s) {
@@ -210,25 +228,95 @@ static nck_num clamp(nck_num x, nck_num least, nck_num most) {
     return nck_num_min(nck_num_max(x, least), most);
 }
 
-// The plan's du/dt at a quarter, as far as it comes in there: smoothly over `blend` knots.
-static nck_num factor_at(const nck_num *b, int k, int from, int blend) {
+// The plan's du/dt at a quarter.
+static nck_num pace_at(const nck_num *b, int k) {
     const int knot = k / 4;
     const nck_num w = (nck_num)0.25 * (nck_num)(k % 4);
     const nck_num at = w > 0 ? b[knot] + w * (b[knot + 1] - b[knot]) : b[knot];
-    const nck_num rate = clamp(NCK_NUM_SQRT(nck_num_max(at, 0)), SLOWEST, FASTEST);
-    const nck_num way = (nck_num)0.25 * (nck_num)k - (nck_num)from;
-    const nck_num g = blend > 0 ? clamp(way / (nck_num)blend, 0, 1) : 1;
-    return 1 + (rate - 1) * g * g * (3 - 2 * g);
+    return NCK_NUM_SQRT(nck_num_max(at, 0));
 }
 
-void nck_timing_keep(nck_timing_t *self, nck_timing_list_t *list, const nck_num *b, int from,
-                     int to, int blend) {
+// How much of a plan comes into the clock at a quarter: smoothly over `blend` knots.
+static nck_num share_at(int k, int from, int blend) {
+    const nck_num way = (nck_num)0.25 * (nck_num)k - (nck_num)from;
+    const nck_num g = blend > 0 ? clamp(way / (nck_num)blend, 0, 1) : 1;
+    return g * g * (3 - 2 * g);
+}
+
+nck_num nck_timing_wide(const nck_timing_t *self, const nck_track_t *track, uint32_t *near,
+                        double s) {
+    const nck_timing_terms_t *const terms = self->terms;
+    if (self->even) return 0;
+    *near = nck_track_find(track, *near, s);
+    const nck_track_element_t *const element = nck_track_at(track, *near);
+    const double v = nck_min(element->words.feed, terms->v_most);
+    if (element->kind != NCK_SEG_LINE || !(terms->longest > 1.0) || !(v > 0.0)) return 0;
+    const nck_num way = (nck_num)(s - element->s);
+    const nck_num length = (nck_num)element->length;
+    const double grows = nck_min(GROWS / terms->tau,
+                                 nck_sqrt(SWINGS * terms->j_least / v));
+    return nck_num_max((nck_num)grows * way * (1 - way / length), 0);
+}
+
+int nck_timing_is_wide(const nck_timing_t *self, const nck_track_t *track, uint32_t *near,
+                       int knot) {
+    const nck_num now = speed_at(self, 4 * knot, 4 * self->knots);
+    return now > 0 && nck_timing_wide(self, track, near, self->s[4 * knot]) > STRETCHED * now;
+}
+
+double nck_timing_pace(const nck_timing_t *self, const nck_track_t *track, uint32_t *near,
+                       int knot) {
+    const double s = self->s[4 * knot];
+    const double rate = (double)speed_at(self, 4 * knot, 4 * self->knots);
+    if (!nck_timing_is_wide(self, track, near, knot)) return 1.0;
+    const nck_track_element_t *const element = nck_track_at(track, *near);
+    const double way = nck_min(s - element->s, element->s + element->length - s);
+    const double feed = element->words.feed;
+    const double vv = nck_min(feed * feed, 2.0 * self->terms->a_least * way);
+    return nck_min(1.0, vv / (rate * rate));
+}
+
+// By what a clock of the speed `now` differs from one that is `wanted`.
+static nck_num factor_of(nck_num now, nck_num wanted) {
+    return now > 0 ? clamp(wanted / now, SLOWEST, FASTEST) : 1;
+}
+
+nck_num nck_timing_factor(const nck_timing_t *self, const nck_track_t *track, uint32_t *near,
+                          int knot, nck_num b) {
+    const nck_num now = speed_at(self, 4 * knot, 4 * self->knots);
+    const nck_num wide = nck_timing_wide(self, track, near, self->s[4 * knot]);
+    const nck_num v = now * NCK_NUM_SQRT(nck_num_max(b, 0));
+    return now > 0 ? nck_timing_rate(self->terms, v, wide) / now : 1;
+}
+
+// What is kept at a quarter, whose s and `wide` are known: the clock's speed there by the plan, and
+// the path's.
+static void keep_place(const nck_timing_t *self, nck_num pace, nck_num share, int k,
+                       nck_place_t *out) {
+    const nck_num now = speed_at(self, k, 4 * self->knots);
+    const nck_num v = now * pace;
+    const nck_num rate = nck_timing_rate(self->terms, v, out->wide);
+    const nck_num blended = now * (1 + (factor_of(now, rate) - 1) * share);
+    const nck_num scale = rate > 0 ? blended / rate : 1;
+    out->v = scale * v;
+    out->wide *= scale;
+}
+
+void nck_timing_keep(nck_timing_t *self, nck_timing_list_t *list, const nck_track_t *track,
+                     const nck_num *b, const int span[3]) {
+    const int from = span[0];
+    const int to = span[1];
+    uint32_t near = track->tail;
     list->count = 0;
     for (int k = 4 * from; k <= 4 * to && to > from; k++) {
-        const double s = self->s[k];
-        if (list->count > 0 && !(s > list->at[list->count - 1].s + 1e-9)) continue;
-        list->at[list->count].s = s;
-        list->at[list->count].v = speed_at(self, k, 4 * self->knots) * factor_at(b, k, from, blend);
+        if (list->count > 0 && !(self->s[k] > list->at[list->count - 1].s + 1e-9)) continue;
+        const nck_num share = share_at(k, from, span[2]);
+        // At a joint no row stands at the first node: its b is of no use.
+        const nck_num pace = pace_at(b, self->begins || k > 4 ? k : 4);
+        nck_place_t *const place = &list->at[list->count];
+        place->s = self->s[k];
+        place->wide = nck_timing_wide(self, track, &near, place->s);
+        keep_place(self, pace, share, k, place);
         list->count++;
     }
     list->kept = list->count;
@@ -240,6 +328,7 @@ void nck_timing_keep(nck_timing_t *self, nck_timing_list_t *list, const nck_num 
 void nck_timing_rest(nck_timing_t *self, nck_timing_list_t *list, double s) {
     list->at[0].s = s;
     list->at[0].v = 0;
+    list->at[0].wide = 0;
     list->count = 1;
     list->kept = 1;
     self->begins = 1;

@@ -27,16 +27,22 @@ typedef struct nck_timing_terms {
     double v[NCK_AXIS_MAX]; // of every axis [mm/s]
     double a[NCK_AXIS_MAX]; // [mm/s²]
     double j[NCK_AXIS_MAX]; // [mm/s³]
+    double smooth[NCK_AXIS_MAX]; // what a curve's jerk is measured by: j, or A/τ where that is less
+    double smooth_least;
     double along[2]; // along the path, acceleration [mm/s²] and jerk [mm/s³]; 0: as axes have it
+    double v_most;  // the most of the axes
     double a_least; // the least of the axes and the path
-    double a_most;  // the most of the axes
+    double a_reached; // the most that an axis reaches: by its limit, or since its jerk builds it up
+                      // over no more than twice its speed
     double j_least;
+    double longest; // what a knot takes at most where nothing is near, in τ; 1 at least
 } nck_timing_terms_t;
 
 // A place of the program, and how fast it may be passed.
 typedef struct nck_place {
     double s;  // [path mm]
     nck_num v; // [path mm/s]
+    nck_num wide; // how fast the clock may be there, by how far its element's ends are [path mm/s]
 } nck_place_t;
 
 // Places in work: what is kept of the last plan, then those of the guess. Needed for making a clock
@@ -71,6 +77,7 @@ typedef struct nck_timing {
     uint8_t hurries;  // 1: more may be long in coming: what is known has to do
     uint8_t brakes;   // 1: so little is known that the guess rests where that ends
     uint8_t begins;   // 1: the window begins at rest
+    uint8_t even;     // 1: knots are τ apart everywhere: a window has failed otherwise
     uint8_t ends;     // 1: it ends at the run's end
     nck_timing_phase_t phase;
     int at;           // place or quarter of the phase that comes next
@@ -116,10 +123,30 @@ void nck_timing_drop(nck_timing_t *self, double s);
 
 // Begin to make the next clock from the knot `from` of this one on: its time runs by the plan's
 // b = (du/dt)² at knots, which comes in over `blend` knots, 0: at once. Up to the knot `to` all is
-// kept; behind it is the guess. from = to = 0: nothing is kept.
+// kept; behind it is the guess. span: from, to, blend; from = to = 0: nothing is kept.
 // Cost: linear in what is kept. Context: prep.
-void nck_timing_keep(nck_timing_t *self, nck_timing_list_t *list, const nck_num *b, int from,
-                     int to, int blend);
+void nck_timing_keep(nck_timing_t *self, nck_timing_list_t *list, const nck_track_t *track,
+                     const nck_num *b, const int span[3]);
+
+// How fast the clock may be at s, by how far the ends of its element are; near: an element to begin
+// with, and the one found [path mm/s]. Cost: as nck_track_find. Context: prep.
+nck_num nck_timing_wide(const nck_timing_t *self, const nck_track_t *track, uint32_t *near,
+                        double s);
+
+// 1 if knots are far apart at this one. Cost: as nck_track_find. Context: prep.
+int nck_timing_is_wide(const nck_timing_t *self, const nck_track_t *track, uint32_t *near,
+                       int knot);
+
+// How slow a clock is run where its knots are far apart, about: b at the most that the least
+// acceleration of an axis builds up from the next end of the element on. Cost: as nck_track_find.
+// Context: prep.
+double nck_timing_pace(const nck_timing_t *self, const nck_track_t *track, uint32_t *near,
+                       int knot);
+
+// By what the next clock's speed differs at a knot from this one's, if the plan has b there.
+// Cost: as nck_track_find. Context: prep.
+nck_num nck_timing_factor(const nck_timing_t *self, const nck_track_t *track, uint32_t *near,
+                          int knot, nck_num b);
 
 // Begin to make a clock that begins at rest at s, of the guess alone. Cost: constant.
 // Context: prep.

@@ -7,7 +7,8 @@
 
 #define KEEP_ASK ((nck_num)1.5) // what a kept place gives way to alone
 #define SLOW_MOST ((nck_num)1e-9) // [mm/s] of a cell that stands
-#define BLUR 0.016   // [s] of each of two means: as long as acceleration takes to change
+#define BLUR 0.016   // [s] of each of two means: as long as acceleration takes to change …
+#define BLUR_KNOTS 4.0 // … and so many knots
 #define MARGIN 2     // knots at the end of what is known that no window has
 #define SHORTEST (NCK_FAIR_WINDOW / 2) // knots of a window behind which the run goes on: where less
                      // is known than they last the clock goes slower
@@ -35,6 +36,7 @@ static void add_guess(nck_timing_t *self, nck_timing_list_t *list, double end) {
     for (; self->at < to; self->at++) {
         nck_place_t place = *nck_timing_place(self, self->guess.tail + (uint32_t)self->at);
         if (place.s <= from) continue;
+        if (self->even) place.wide = 0;
         if (self->begins && list->count > 0) {
             const double way = place.s - list->at[0].s;
             place.v = nck_timing_near_rest(self->terms, way, place.v);
@@ -78,19 +80,26 @@ static void pass_backward(nck_timing_t *self, nck_timing_list_t *list) {
     }
 }
 
-// Both speeds of a cell, which does not last for ever.
-static nck_num speeds_of(const nck_place_t *at) {
-    return nck_num_max(at[0].v + at[1].v, SLOW_MOST);
+// The clock's speed at a place.
+static nck_num rate_at(const nck_timing_t *self, const nck_place_t *at) {
+    return nck_timing_rate(self->terms, at->v, at->wide);
 }
 
-// How long it takes from a place to the next one, at even acceleration.
-static double time_of(const nck_place_t *at) {
-    return (double)(2 * (nck_num)(at[1].s - at[0].s) / speeds_of(at));
+// Both speeds of a cell, which does not last for ever.
+static nck_num speeds_of(const nck_timing_t *self, const nck_place_t *at) {
+    return nck_num_max(rate_at(self, at) + rate_at(self, at + 1), SLOW_MOST);
+}
+
+// How long it takes by the clock from a place to the next one, at even acceleration.
+static double time_of(const nck_timing_t *self, const nck_place_t *at) {
+    return (double)(2 * (nck_num)(at[1].s - at[0].s) / speeds_of(self, at));
 }
 
 // Where in such a cell it is at the share w of its time.
-static double within(const nck_place_t *at, nck_num w) {
-    const nck_num way = (2 * at[0].v + (at[1].v - at[0].v) * w) * w / speeds_of(at);
+static double within(const nck_timing_t *self, const nck_place_t *at, nck_num w) {
+    const nck_num begin = rate_at(self, at);
+    const nck_num change = rate_at(self, at + 1) - begin;
+    const nck_num way = (2 * begin + change * w) * w / speeds_of(self, at);
     if (!(way < 1)) return at[1].s;
     return at[0].s + (double)((nck_num)(at[1].s - at[0].s) * way);
 }
@@ -112,7 +121,7 @@ static void begin_sampling(nck_timing_t *self, const nck_timing_list_t *list, in
     self->make.step = step;
     self->make.more = more;
     self->make.place = 0;
-    self->make.t = time_of(list->at);
+    self->make.t = time_of(self, list->at);
     self->make.begin = 0.0;
     self->make.end = stretched(self, self->make.t);
 }
@@ -128,15 +137,17 @@ static int sample(nck_timing_t *self, const nck_timing_list_t *list) {
         const double end = self->make.end;
         if (wanted > end && self->make.place + 1 < last) {
             self->make.place++;
-            self->make.t += time_of(at + 1);
+            self->make.t += time_of(self, at + 1);
             self->make.begin = end;
             self->make.end = stretched(self, self->make.t);
             continue;
         }
         const double begin = self->make.begin;
-        self->s[self->at++] = wanted > end
-                                  ? list->at[last].s + (wanted - end) * (double)list->at[last].v
-                                  : within(at, (nck_num)(wanted - begin) / (nck_num)(end - begin));
+        const double late = wanted - end;
+        const nck_num share = (nck_num)(wanted - begin) / (nck_num)(end - begin);
+        const nck_place_t *const end_of = &list->at[last];
+        self->s[self->at++] = late > 0.0 ? end_of->s + late * (double)rate_at(self, end_of)
+                                         : within(self, at, share);
     }
     return self->at == all;
 }
@@ -149,11 +160,11 @@ static void cut(nck_timing_t *self, nck_timing_list_t *list) {
     const double quarter = 0.25 * self->terms->tau;
     const int to = slice_end(self, list->count - 1);
     while (self->at < to && self->make.all < most) {
-        self->make.all += time_of(&list->at[self->at++]);
+        self->make.all += time_of(self, &list->at[self->at++]);
     }
     if (self->at == to && to < list->count - 1 && self->make.all < most) return;
     list->count = self->at + 1;
-    self->make.last_v = list->at[self->at].v;
+    self->make.last_v = rate_at(self, &list->at[self->at]);
     if (list->kept >= list->count) {
         list->kept = list->count;
         go(self, NCK_TIMING_SUM);
@@ -183,7 +194,8 @@ static void add_up(nck_timing_t *self, nck_timing_list_t *list) {
 // A mean over up to 2 `half` + 1 quarters, less where it would pass the ends.
 static void take_mean(nck_timing_t *self, nck_timing_list_t *list) {
     const nck_place_t *const sum = &list->at[kept_of(list)];
-    const int half = (int)(0.5 * BLUR / self->make.step + 0.5);
+    const double blur = nck_max(BLUR, BLUR_KNOTS * self->terms->tau);
+    const int half = (int)(0.5 * blur / self->make.step + 0.5);
     const int all = self->make.count + 1;
     const int to = slice_end(self, all);
     for (; self->at < to; self->at++) {
@@ -213,6 +225,7 @@ static void list_anew(nck_timing_t *self, nck_timing_list_t *list) {
         const nck_num steps = 2 * (nck_num)self->make.step;
         place->v = k < all ? (nck_num)(self->s[k + 1] - self->s[k - 1]) / steps
                            : self->make.last_v;
+        place->wide = 0;
     }
     if (to == all) go(self, NCK_TIMING_SUM);
 }
@@ -246,7 +259,7 @@ static void sum_up(nck_timing_t *self, const nck_timing_list_t *list, double end
     const int all = list->count - 1;
     const int to = slice_end(self, all);
     if (self->at == 0) self->make.all = 0.0;
-    for (; self->at < to; self->at++) self->make.all += time_of(&list->at[self->at]);
+    for (; self->at < to; self->at++) self->make.all += time_of(self, &list->at[self->at]);
     if (to >= all) set_window(self, list, end);
 }
 

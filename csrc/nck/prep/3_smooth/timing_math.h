@@ -34,6 +34,15 @@ static inline nck_num nck_timing_reach_speed(const nck_timing_terms_t *terms, nc
     return NCK_NUM_SQRT(v * v + 2 * push * (nck_num)h);
 }
 
+// How fast the clock is, ds/du, where the path is to have the speed v: where nothing is near knots
+// last longer, and the motion is slower than the clock.
+static inline nck_num nck_timing_rate(const nck_timing_terms_t *terms, nck_num v, nck_num wide) {
+    const nck_num most = ((nck_num)terms->longest - 1) * v;
+    if (!(wide > 0) || !(most > 0)) return v;
+    const nck_num more = wide * wide / (wide + v / 2);
+    return v + more * most / (more + most);
+}
+
 // A place of the guess.
 static inline nck_place_t *nck_timing_place(nck_timing_t *self, uint32_t count) {
     return &self->guess.at[count % NCK_TIMING_PLACES];

@@ -3,6 +3,7 @@
 #include "nck/prep/4_lookahead/lookahead.h"
 
 #include <assert.h> // assert
+#include <stddef.h> // offsetof
 #include <string.h> // memcpy memset
 
 #include "nck/base/budget.h"             // NCK_UNLIMITED
@@ -17,7 +18,9 @@ enum {
 };
 
 void nck_lookahead_init(nck_lookahead_t *self, const nck_terms_t *terms) {
-    memset(self, 0, sizeof *self);
+    const size_t before = offsetof(nck_lookahead_t, before);
+    memset(self, 0, offsetof(nck_lookahead_t, joint.at)); // what rings hold is read once written
+    memset(&self->before, 0, offsetof(nck_lookahead_t, window.at) - before);
     self->terms = terms;
     nck_lookahead_adapt(self);
     self->before_limit = NCK_LIMIT_EXACT_STOP;

@@ -2,6 +2,7 @@
 // Room 5, slope: the jerk-limited planner.
 #include "nck/prep/5_slope/jerk.h"
 
+#include <stddef.h> // offsetof
 #include <string.h> // memset
 
 #include "nck/base/real.h"                // nck_min nck_max
@@ -65,7 +66,7 @@ double nck_jerk_cell_s(const nck_machine_t *machine) {
 void nck_jerk_init(nck_jerk_t *self, const nck_machine_t *machine, nck_link_t *link,
                    const nck_plan_t *now, nck_plan_t *next) {
     if (!NCK_HAS_JERK) return;
-    memset(self, 0, sizeof *self);
+    memset(self, 0, offsetof(nck_jerk_t, rung_piece)); // each plan lays its ladder anew
     self->machine = machine;
     self->link = link;
     self->now = now;
@@ -408,7 +409,7 @@ static nck_status_t relax(nck_jerk_t *self, const nck_pieces_t *pieces) {
 
 static nck_status_t plan(nck_jerk_t *self, const nck_pieces_t *pieces) {
     if (is_rest(self)) return finish_plan(self, pieces);
-    const nck_status_t status = nck_profile_step(&self->profile, NCK_JERK_STEP);
+    const nck_status_t status = nck_profile_step(&self->profile, NCK_JERK_NODES);
     return status == NCK_DONE ? finish_plan(self, pieces) : NCK_OK;
 }
 

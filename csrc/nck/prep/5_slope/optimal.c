@@ -2,6 +2,7 @@
 // Room 5, slope: the jerk-limited planner on a clocked path.
 #include "nck/prep/5_slope/optimal.h"
 
+#include <stddef.h> // offsetof
 #include <string.h> // memset
 
 #include "nck/base/real.h"                  // nck_min nck_max nck_sqrt
@@ -42,14 +43,17 @@ enum { SLOWER_NODES = 48 };
 
 // Of what it is asked for, the most that a plan may take of a limit anywhere: what its check lets
 // pass, and a little. Beyond it the plan before goes on.
-#define SHARE_MOST 1.003
+#define SHARE_MOST 1.004
+// A plan from rest that has to be slowed down by more is sought again from there, so many times.
+#define AGAIN_BELOW 0.98
+enum { AGAIN_MOST = 2 };
 #define SHARE_LOST 1e6 // what takes more is no plan …
 #define TIME_LOST 1e6  // … nor is what takes longer [s], or no number
 
 void nck_optimal_init(nck_optimal_t *self, const nck_terms_t *terms, nck_link_t *link,
                       const nck_plan_t *now, nck_plan_t *next) {
     if (!NCK_HAS_OPTIMAL) return;
-    memset(self, 0, sizeof *self);
+    memset(self, 0, offsetof(nck_optimal_t, motion)); // which each plan begins
     self->terms = terms;
     self->link = link;
     self->now = now;
@@ -71,6 +75,7 @@ void nck_optimal_begin(nck_optimal_t *self, const nck_job_t *job) {
     self->next->complete = 0;
     self->next->held = NCK_HELD_NOT;
     self->phase = PHASE_LAY;
+    self->again = 0;
     work->begin = self->next->begin;
     work->first = self->next->piece;
     work->n = 0;
@@ -215,6 +220,14 @@ static uint32_t commit_of(const nck_optimal_t *self, const nck_optimal_pace_t *w
     return work->n > NCK_OPTIMAL_GIVEN ? work->n - NCK_OPTIMAL_GIVEN : 1;
 }
 
+// A plan from rest that has found no end is within its limits once it is slowed down: from there.
+static nck_status_t solve_again(nck_optimal_t *self) {
+    self->again++;
+    self->i = 0;
+    self->phase = PHASE_FILL;
+    return set_wish(self);
+}
+
 static nck_status_t solve_motion(nck_optimal_t *self) {
     const nck_status_t status = nck_motion_step(&self->motion);
     nck_optimal_pace_t *const work = nck_optimal_work(self);
@@ -224,6 +237,7 @@ static nck_status_t solve_motion(nck_optimal_t *self) {
     for (uint32_t k = 0; k <= work->n; k++) {
         work->b[k] = factor * (double)nck_motion_b(&self->motion, (int)k);
     }
+    if (factor < AGAIN_BELOW && self->again < AGAIN_MOST) return solve_again(self);
     const nck_optimal_pace_t *const now = nck_optimal_now(self);
     for (uint32_t k = 0; nck_optimal_goes_on(self) && k < NCK_OPTIMAL_GIVEN; k++) {
         work->b[k] = now->b[work->first - now->first + k]; // to the bit

@@ -151,16 +151,28 @@ static double cap_of(const nck_optimal_t *self, const nck_num *first, const near
     return cap;
 }
 
+// The most pace at a node that the path's acceleration has built up since the node before.
+static double reached(nck_optimal_t *self, uint32_t k) {
+    const nck_optimal_pace_t *const work = nck_optimal_work(self);
+    const double before = (double)work->along[k - 1];
+    const double here = (double)work->along[k];
+    const double way = 0.5 * self->terms->knot_s * (nck_sqrt(before) + nck_sqrt(here));
+    const double vv = before * work->b[k - 1] + 2.0 * self->terms->machine->path.a_max * way;
+    return here * PACE_MOST > vv ? vv / here : PACE_MOST;
+}
+
 // A pace to begin with, which may break limits by far: the last plan's, as far as that is not the
 // brake for its window's end; the clock's own behind it, with a brake for this window's end.
-static double pace_guess(nck_optimal_t *self, uint32_t k) {
+static double pace_guess(nck_optimal_t *self, uint32_t k, double most) {
     const nck_optimal_pace_t *const work = nck_optimal_work(self);
     const nck_optimal_pace_t *const now = nck_optimal_now(self);
     const uint32_t at = work->first - now->first + k;
+    if (self->again > 0) return work->b[k];
     if (nck_optimal_goes_on(self) && k < NCK_OPTIMAL_GIVEN) return now->b[at];
     if (k == work->n && !work->ends) return 0.0;
     const double x = (double)(work->n - k) / BRAKE_NODES;
-    double b = GUESS;
+    double b = GUESS * nck_min(most, 1.0);
+    if (k > 0) b = nck_min(b, reached(self, k));
     if (!work->ends && x < 1.0) b *= x * nck_sqrt(nck_sqrt(x));
     if (nck_optimal_goes_on(self) && at <= now->top) b = AGAIN * now->b[at];
     if (nck_optimal_slows(self)) b = now->b[at];
@@ -225,7 +237,8 @@ void nck_optimal_fill(nck_optimal_t *self, const nck_pieces_t *pieces, uint32_t 
     if (k + 1 == work->n && !work->ends) {
         cap_and_b[0] = cap_at_end(self, seg, cap_and_b[0]);
     }
-    cap_and_b[1] = (nck_num)pace_guess(self, k);
+    cap_and_b[1] = (nck_num)pace_guess(self, k, (double)cap_and_b[0]);
+    work->b[k] = (double)cap_and_b[1];
     nck_motion_node(&self->motion, (int)k, first, second, cap_and_b);
 }
 

@@ -50,6 +50,7 @@ typedef struct way_beside {
     double left;  // of the distance [path mm]
     double time;  // [s]
     double a;     // the largest acceleration so far, without its sign [path mm/s²]
+    uint32_t cells;
 } way_beside_t;
 
 static double accel_at(const nck_cell_t *cell, double t) { return cell->a + cell->j * t; }
@@ -71,6 +72,7 @@ static double time_at(const nck_cell_t *cell, double way) {
 // One cell further away from the rest, which lies behind it or before it.
 static void extend(way_beside_t *stretch, const nck_cell_t *cell, int rests_behind) {
     const double left = stretch->left;
+    stretch->cells++;
     if (!(left > 0.0)) return;
     stretch->left = nck_max(0.0, left - cell->length);
     stretch->a = nck_max(nck_fabs(cell->a), nck_fabs(accel_behind(cell)));
@@ -81,7 +83,7 @@ static void extend(way_beside_t *stretch, const nck_cell_t *cell, int rests_behi
 
 uint32_t nck_overlap_withheld(const nck_link_t *link, const nck_pieces_t *pieces,
                               const nck_plan_t *next) {
-    way_beside_t stretch = {distance_of(link, pieces, next), 0.0, 0.0};
+    way_beside_t stretch = {distance_of(link, pieces, next), 0.0, 0.0, 0};
     double time = 0.0;
     uint32_t count = 0;
     if (!NCK_HAS_OVERLAP || !(stretch.left > 0.0)) return 0;
@@ -132,7 +134,7 @@ static int may_ride(const beside_t *corner, const nck_cell_t *cell, double behin
 
 // Half of the last cell is left out: its jump at the other end may go the other way (rule R).
 static way_beside_t look_back(const nck_link_t *link, const nck_plan_t *now, beside_t *corner) {
-    way_beside_t stretch = {corner->distance, 0.0, 0.0};
+    way_beside_t stretch = {corner->distance, 0.0, 0.0, 0};
     double behind = 0.0; // acceleration
     double last = 0.0;   // of the cells' durations
     corner->time[0] = 0.0;
@@ -161,7 +163,7 @@ static int may_begin(const beside_t *corner, const nck_cell_t *cell, double befo
 
 // It goes on for some time until another plan may take over.
 static way_beside_t look_ahead(const nck_link_t *link, const nck_plan_t *next, beside_t *corner) {
-    way_beside_t stretch = {corner->distance, 0.0, 0.0};
+    way_beside_t stretch = {corner->distance, 0.0, 0.0, 0};
     const uint32_t most = next->complete ? next->n : next->commit;
     const double filter = (double)NCK_FILTER_TAPS * corner->period;
     double before = 0.0; // acceleration
@@ -180,6 +182,18 @@ static way_beside_t look_ahead(const nck_link_t *link, const nck_plan_t *next, b
     }
     corner->time[1] = nck_min(corner->time[1], time - filter);
     return stretch;
+}
+
+// How long the same cells take for another distance.
+static double time_again(const nck_link_t *link, const nck_plan_t *now, double distance,
+                         const way_beside_t *known, int rests_behind) {
+    way_beside_t stretch = {distance, 0.0, 0.0, 0};
+    while (stretch.left > 0.0 && stretch.cells < known->cells) {
+        const uint32_t i = stretch.cells;
+        extend(&stretch, rests_behind ? cell_at(link, now, now->n - 1 - i)
+                                      : nck_link_built_cell(link, i), rests_behind);
+    }
+    return stretch.time;
 }
 
 // The output filter puts a sample behind the mean place, by half of its variance in time for an
@@ -278,16 +292,16 @@ static double time_within_speed(const nck_link_t *link, const nck_plan_t *now,
 // How long both may overlap.
 static double time_of(const nck_link_t *link, const nck_plan_t *now, const nck_plan_t *next,
                       beside_t *corner) {
-    way_beside_t end = look_back(link, now, corner);
-    way_beside_t begin = look_ahead(link, next, corner);
+    const way_beside_t end = look_back(link, now, corner);
+    const way_beside_t begin = look_ahead(link, next, corner);
     const double most = nck_min(corner->time[0], corner->time[1]);
     const double j = nck_max(corner->j[0], corner->j[1]);
     const double a = nck_max(end.a, begin.a) + corner->period * j;
     corner->distance -= filter_sag(a, (double)NCK_FILTER_TAPS, corner->period);
     if (!(corner->distance > 0.0)) return 0.0;
-    end = look_back(link, now, corner);
-    begin = look_ahead(link, next, corner);
-    return time_within_speed(link, now, next, corner, nck_min(most, end.time + begin.time));
+    const double time = time_again(link, now, corner->distance, &end, 1)
+                        + time_again(link, now, corner->distance, &begin, 0);
+    return time_within_speed(link, now, next, corner, nck_min(most, time));
 }
 
 // How much a spline's tangent turns within the distance at one of its ends: no more than p″, which

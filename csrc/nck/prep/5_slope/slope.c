@@ -3,6 +3,7 @@
 #include "nck/prep/5_slope/slope.h"
 
 #include <assert.h> // assert
+#include <stddef.h> // offsetof
 #include <string.h> // memset
 
 #include "nck/base/fence.h"               // nck_fence_load nck_fence_store
@@ -31,7 +32,7 @@ enum { NO_MOTION = 8 };
 
 void nck_slope_init(nck_slope_t *self, const nck_terms_t *terms, nck_link_t *link) {
     const nck_machine_t *const machine = terms->machine;
-    memset(self, 0, sizeof *self);
+    memset(self, 0, offsetof(nck_slope_t, planner)); // the planners begin for themselves
     self->terms = terms;
     self->machine = machine;
     self->link = link;

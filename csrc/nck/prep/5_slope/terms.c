@@ -16,11 +16,13 @@
 // takes up to three times as long.
 #define KNOT_SHARE_MOST 1.2
 #define KNOT_LEAST 0.00025
-#define KNOT_MOST 0.004
+#define KNOT_MOST 0.05
 // … but a window lasts so many times as long as it takes to stop, since a plan sees two windows at
 // most and gives a part. Knots are raised by so much at most: a path within 2 µm is clocked yet.
-#define KNOT_STOPS 2.56
+#define KNOT_STOPS 3.76
 #define KNOT_RAISE 1.75
+// Where nothing is near a knot may take that part of the time that it takes to stop.
+#define KNOT_PARTS 8.0
 #define FILTERS_LEAST 2.0 // that a ramp lasts
 // Times D: what a cell lasts beside a rest, where a ladder has few cells and else.
 #define BESIDE_REST_FEW 3.0
@@ -71,7 +73,8 @@ static double stop_of(const nck_machine_t *machine, uint8_t axes) {
         const nck_axis_t *const axis = &machine->axis[x];
         if (!axis->present) continue;
         vv += axis->v_max * axis->v_max;
-        stop = nck_max(stop, axis->v_max / axis->a_max + axis->a_max / axis->j_max);
+        const double reached = nck_min(axis->a_max, nck_sqrt(axis->v_max * axis->j_max));
+        stop = nck_max(stop, axis->v_max / reached + reached / axis->j_max);
     }
     const double v = nck_sqrt(vv);
     return nck_max(stop, v / a + nck_min(a, nck_sqrt(v * j)) / j);
@@ -80,17 +83,22 @@ static double stop_of(const nck_machine_t *machine, uint8_t axes) {
 // How long an interval of a clocked path lasts by its clock, and for what P that is short enough.
 static void set_knot(const nck_machine_t *machine, uint8_t axes, nck_terms_t *terms_out) {
     const double stop = stop_of(machine, axes);
+    double a = 0.0;
     double j = 0.0;
     for (int x = 0; x < axes; x++) {
-        if (machine->axis[x].present) j = nck_max(j, machine->axis[x].j_max);
+        if (!machine->axis[x].present) continue;
+        a = nck_max(a, machine->axis[x].a_max);
+        j = nck_max(j, machine->axis[x].j_max);
     }
-    const double corner = KNOT_SHARE * nck_root_cube(KNOT_TOLERANCE / j);
+    const double by_jerk = nck_root_cube(KNOT_TOLERANCE / j);
+    const double corner = KNOT_SHARE * nck_max(by_jerk, nck_sqrt(KNOT_TOLERANCE / a));
     const double wanted = nck_max(KNOT_LEAST, nck_min(corner, KNOT_MOST));
     const double spread = KNOT_STOPS * stop / NCK_CLOCKED_WINDOW;
     const double knot = nck_max(wanted, nck_min(spread, KNOT_RAISE * wanted));
     const double share = knot / KNOT_SHARE_MOST;
     terms_out->knot_s = knot;
-    terms_out->knot_p = j * share * share * share;
+    terms_out->knots_most = nck_max(1.0, stop / (KNOT_PARTS * knot));
+    terms_out->knot_p = nck_min(j * share, a) * share * share;
 }
 
 // 1 if the path's own limits hold where no axis' limit does.
@@ -114,7 +122,7 @@ void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     const double filter = (double)NCK_FILTER_TAPS * period;
     const uint8_t axes = axes_of(machine);
     const nck_terms_t linear = {machine, 0, 0, 1, axes, machine->path.j_max, 0.0, 0.0, period,
-                                0.0, 0.0, 0.0};
+                                0.0, 0.0, 0.0, 0.0};
     *terms_out = linear;
     if (!NCK_HAS_JERK || machine->slope == NCK_SLOPE_LINEAR) return;
     terms_out->limits_jerk = 1;

@@ -153,7 +153,8 @@ static int load(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cell_t *
 }
 
 nck_status_t nck_window_load(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    for (int n = 0; n < NCK_JERK_STEP; n++) {
+    const uint32_t laid = self->work.n; // a cell becomes several
+    for (int n = 0; n < NCK_JERK_STEP && self->work.n - laid < NCK_JERK_LOADED; n++) {
         const nck_cell_t *const cell = source(self, self->work.i);
         const int wanted = self->work.from_built || self->work.all || self->work.reach > 0.0
                            || self->work.source + self->work.i - self->now->begin < self->now->keep;

@@ -8,7 +8,11 @@
 
 // How much one step and one plan take on.
 enum {
-    NCK_JERK_STEP = NCK_PROFILE > 1024 ? 128 : 32, // units of work in one bounded step
+    NCK_JERK_STEP = NCK_PROFILE > 2048 ? 128 : 32, // units of work in one bounded step
+    // 1: steps take much the same, as short servo cycles want it.
+    NCK_JERK_EVEN = NCK_PROFILE > 1024 && NCK_PROFILE <= 2048,
+    NCK_JERK_NODES = NCK_JERK_EVEN ? 96 : NCK_JERK_STEP, // of a pass over the profile in a step
+    NCK_JERK_LOADED = NCK_JERK_EVEN ? NCK_JERK_STEP : NCK_PROFILE_ROWS, // and of those taken over
     NCK_JERK_PIECES = NCK_WINDOW - 8,              // pieces of room 4 that plans may use
     NCK_JERK_CELLS = NCK_PROFILE_ROWS - 1
 };

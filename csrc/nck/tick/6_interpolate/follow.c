@@ -9,8 +9,6 @@
 #define BRAKES (8.0 / 9.0) // of what the axes have: the last period of make_up takes 9/8
 #define SPEED_LEAST 1e-9 // [mm/s] a tool that is slower takes any change of pace
 
-static double fraction(double x) { return x - nck_floor(x); }
-
 void nck_follow_look(nck_sync_t *self, double rpm, double period) {
     self->spin = (self->turns - self->seen) * SECONDS / (rpm * period);
     self->seen = self->turns;
@@ -18,7 +16,7 @@ void nck_follow_look(nck_sync_t *self, double rpm, double period) {
 
 void nck_follow_aim(nck_sync_t *self) {
     const double ahead = self->begin - self->turns;
-    if (ahead <= 0.0 || ahead > 1.0) self->begin = self->turns + fraction(ahead);
+    if (ahead <= 0.0 || ahead > 1.0) self->begin = self->turns + (ahead - nck_floor(ahead));
 }
 
 // An angle that comes out of turn is none: it has jumped there, or the spindle still starts.
@@ -62,10 +60,6 @@ static void find_range(const nck_sync_t *self, const nck_follow_room_t *room, do
     range[1] = nck_max(range[0], nck_min(range[1], brakes));
 }
 
-static double within(double x, const double *range) {
-    return nck_max(range[0], nck_min(range[1], x));
-}
-
 // The angle says what the axes cannot do. A spindle does not stand at once: if it seems to, the
 // tool goes on until it is lost, or the angle comes again.
 static double go_on(const nck_sync_t *self, const nck_follow_room_t *room, const double *range,
@@ -100,7 +94,7 @@ double nck_follow(nck_sync_t *self, const nck_follow_room_t *room) {
         rate = self->state == NCK_SYNC_STOPS ? self->rpm / room->rpm
                                              : go_on(self, room, range, left);
     }
-    self->rate = within(rate, range);
+    self->rate = nck_max(range[0], nck_min(range[1], rate));
     self->t += self->rate * room->period;
     return wanted - self->t;
 }

@@ -101,7 +101,7 @@ static int fetch(nck_interpolate_t *self) {
 static void place(nck_interpolate_t *self, const nck_seg_t *seg, double s, double v) {
     nck_pose_t *const pose = &self->pose;
     pose->seg = seg->seq;
-    pose->line = nck_marks_line(&self->link->marks, seg, s);
+    pose->line = nck_marks_line(&self->link->marks, seg, s, &self->modes);
     pose->block = seg->block;
     pose->kind = seg->kind;
     pose->rapid = seg->rapid;
@@ -112,8 +112,8 @@ static void place(nck_interpolate_t *self, const nck_seg_t *seg, double s, doubl
     if (nck_look_is_clocked(seg)) nck_clock_measure(seg, s, pose);
     pose->feed = seg->feed;
     pose->feed_scale = seg->feed_scale;
-    const int brakes = self->clock.state == NCK_CLOCK_BRAKES;
-    const int slowed = brakes || self->clock.state == NCK_CLOCK_STANDS;
+    const uint32_t clock = self->clock.state;
+    const int slowed = clock == NCK_CLOCK_BRAKES || clock == NCK_CLOCK_STANDS;
     pose->state = slowed && self->brakes ? (uint8_t)self->brakes
                   : self->cell.stop & NCK_STOP_HOLD ? NCK_TICK_HOLD
                   : self->from_tail ? NCK_TICK_STARVED
@@ -136,11 +136,6 @@ static void pass(nck_interpolate_t *self, double s, double v) {
     const double s_mean = nck_mean_take(filter, self->link, &self->cell, s, v, &v_mean);
     finish_before(self, filter->seg);
     place(self, seg_at(self, filter->seg), s_mean, v_mean);
-}
-
-static void leave_cell(nck_interpolate_t *self) {
-    self->t_cell += self->cell.duration;
-    nck_fence_store(&self->has_cell, 0);
 }
 
 // The tool rests: time counts from here.
@@ -166,7 +161,8 @@ static void land(nck_interpolate_t *self) {
     const int waits = seg->kind == NCK_SEG_WAIT;
     nck_fence_store(&self->waits, (uint32_t)waits);
     nck_fence_store(&self->resume, 0);
-    leave_cell(self);
+    self->t_cell += self->cell.duration;
+    nck_fence_store(&self->has_cell, 0);
     nck_link_seg_finish(self->link, cell->last && !waits ? seq + 1 : seq);
     if (self->from_tail) nck_link_tail_rest(self->link);
     self->rests = 1;
@@ -214,9 +210,10 @@ static void evaluate(nck_interpolate_t *self, double t) {
 
 // Two motions at once: the tool is where the sum of their ways is.
 static void name_rider(nck_interpolate_t *self) {
-    const nck_seg_t *const rider = seg_at(self, self->rider.filter.seg);
-    if (self->pose.s >= rider->s_begin + rider->length) return;
-    self->pose.line = nck_marks_line(&self->link->marks, rider, self->pose.s - rider->s_begin);
+    const nck_seg_t *const at = seg_at(self, self->rider.filter.seg);
+    const double s = self->pose.s;
+    if (s >= at->s_begin + at->length) return;
+    self->pose.line = nck_marks_line(&self->link->marks, at, s - at->s_begin, &self->modes);
 }
 
 // What rides is one period further on.
@@ -268,8 +265,7 @@ static int yields(nck_interpolate_t *self, uint32_t owner) {
 // Whether the link is prep's alone; asked every tick.
 static inline int stands_aside(nck_interpolate_t *self) {
     const uint32_t owner = nck_link_owner(self->link);
-    if (owner == NCK_LINK_BOTH) return 0;
-    return yields(self, owner);
+    return owner != NCK_LINK_BOTH && yields(self, owner);
 }
 
 // Time begins to count later.
@@ -335,9 +331,17 @@ static void find_place(const nck_interpolate_t *self, nck_look_place_t *place_ou
     nck_clock_plan(&self->cell, t, steps_from, place_out);
 }
 
+// An abort does not wait for a dwell's end: the tool rests already, and stays.
+static void leave_dwell(nck_interpolate_t *self) {
+    if (seg_at(self, self->cell.seg)->kind != NCK_SEG_DWELL) return;
+    self->brakes = NCK_TICK_HOLD;
+    nck_fence_store(&self->clock.state, NCK_CLOCK_STANDS);
+}
+
 // What is asked for on the way. A brake goes on to its rest: to end it earlier takes as much again.
 static void hear(nck_interpolate_t *self) {
     nck_clock_t *const clock = &self->clock;
+    if (nck_fence_load(&self->sync.asked)) leave_dwell(self);
     const int slows = clock->state == NCK_CLOCK_BRAKES || clock->state == NCK_CLOCK_STANDS;
     const int begins = self->brakes && !slows && self->cell.length > 0.0 && !self->rider.on;
     nck_look_place_t here;
@@ -463,10 +467,10 @@ static void stop_axes(nck_interpolate_t *self) {
         (void)rest(self);
         return;
     }
-    const int rests = nck_halt_tick(halt, self->machine->period_s, &self->pose);
+    const uint32_t rests = (uint32_t)nck_halt_tick(halt, self->machine->period_s, &self->pose);
     if (!self->halt) return; // prep has begun anew
     nck_fence_store(&self->has_cell, 1);
-    nck_fence_store(&self->stands, (uint32_t)rests);
+    nck_fence_store(&self->stands, rests);
 }
 
 const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self) {

@@ -42,6 +42,7 @@ typedef struct nck_interpolate {
     double t_cell;          // when the cell begins [s]
     uint32_t told;          // bit 0: the axes stand at the machine's start position: prep says so;
                             // above it, how often that was
+    uint32_t modes;         // in force there (in_force.h); any reads it
     nck_pose_t pose;        // of the last tick
 } nck_interpolate_t;
 

@@ -32,10 +32,6 @@ int nck_bore_has(const nck_decode_t *self, int32_t motion) {
            && (motion == NCK_MOTION_SCREW || motion == NCK_MOTION_BORE_BACK);
 }
 
-static int has(const nck_decode_t *self, int letter) {
-    return (self->words.letters & NCK_LETTER(letter)) != 0;
-}
-
 static unsigned plane_axis(const nck_decode_t *self, unsigned k) {
     const unsigned first = self->modal.plane == 17   ? NCK_AXIS_X
                            : self->modal.plane == 18 ? NCK_AXIS_Z
@@ -50,21 +46,21 @@ nck_status_t nck_bore_shift(nck_decode_t *self) {
     nck_cycle_t *const cycle = &self->held.cycle;
     const uint32_t both = NCK_LETTER('I') | NCK_LETTER('J');
     nck_status_t status = NCK_OK;
-    if (has(self, 'Q')) {
+    if (nck_has_word(self, 'Q')) {
         cycle->said &= ~both;
         cycle->shift_nm[0] = cycle->peck_nm;
         cycle->shift_nm[1] = 0;
     }
     if (self->words.letters & both) {
         if (self->modal.plane != 17) {
-            const char letter = has(self, 'I') ? 'I' : 'J';
+            const char letter = nck_has_word(self, 'I') ? 'I' : 'J';
             return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, letter, 0.0, 0.0);
         }
         cycle->said |= both;
         for (unsigned k = 0; k < 2 && status == NCK_OK; k++) {
             cycle->shift_nm[k] = 0;
             const char letter = (char)('I' + k);
-            if (!has(self, letter)) continue;
+            if (!nck_has_word(self, letter)) continue;
             status = nck_decode_length_word(self, letter, &cycle->shift_nm[k]);
         }
     }

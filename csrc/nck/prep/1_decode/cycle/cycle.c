@@ -32,10 +32,6 @@ enum {
     PHASE_DWELL, PHASE_STOP, PHASE_FEED_OUT, PHASE_CLEAR, PHASE_START, PHASES
 };
 
-static int is_fanuc(const nck_decode_t *self) {
-    return self->machine->dialect.base == NCK_DIALECT_FANUC;
-}
-
 static int pecks(const nck_decode_t *self, int32_t code) {
     return self->lathe && (code == NCK_MOTION_PECK_Z || code == NCK_MOTION_PECK_X);
 }
@@ -80,7 +76,7 @@ static void keep_or_forget(nck_decode_t *self, int32_t before) {
     const int cycled = nck_motion_is_cycle(before) && drills(self, before)
                        && cycle->plane == self->modal.plane;
     const unsigned drill = (unsigned)(19 - self->modal.plane + NCK_AXIS_X);
-    if (!cycled || (code != before && !is_fanuc(self))) cycle->said = 0;
+    if (!cycled || (code != before && !nck_is_fanuc(self))) cycle->said = 0;
     if (!cycled) {
         cycle->initial_nm = self->place.position_nm[drill] - self->place.origin_nm[drill];
     }
@@ -93,7 +89,7 @@ static void keep_or_forget(nck_decode_t *self, int32_t before) {
 // mean goes by the distance mode of each line.
 static nck_status_t read_heights(nck_decode_t *self) {
     nck_cycle_t *const cycle = &self->held.cycle;
-    const int steps = is_fanuc(self) && self->modal.incremental;
+    const int steps = nck_is_fanuc(self) && self->modal.incremental;
     nck_status_t status = NCK_OK;
     if (self->words.letters & NCK_LETTER('R')) {
         status = nck_decode_length_word(self, 'R', &cycle->r_nm);
@@ -114,7 +110,7 @@ static nck_status_t read_heights(nck_decode_t *self) {
 static nck_status_t set_levels(nck_decode_t *self) {
     nck_cycle_t *const cycle = &self->held.cycle;
     const int64_t origin_nm = self->place.origin_nm[cycle->drill];
-    const int steps = !is_fanuc(self) && self->modal.incremental;
+    const int steps = !nck_is_fanuc(self) && self->modal.incremental;
     const int64_t r_nm = cycle->r_nm + (steps ? cycle->initial_nm : 0);
     const int64_t bottom_nm = cycle->depth_nm + (steps ? r_nm : 0);
     const int64_t high_nm = cycle->initial_nm > r_nm ? cycle->initial_nm : r_nm;
@@ -175,7 +171,7 @@ static nck_status_t read_lead(nck_decode_t *self) {
     const uint8_t code = self->modal.motion == NCK_MOTION_TAP_RIGHT ? 3 : 4;
     const int is_on = self->modal.spindle_on && self->modal.spindle_code == code;
     cycle->turns = is_on ? 0 : code;
-    if (!is_on && !is_fanuc(self)) return fail_missing(self, 'M');
+    if (!is_on && !nck_is_fanuc(self)) return fail_missing(self, 'M');
     self->modal.spindle_on = 1;
     self->modal.spindle_code = code;
     nck_status_t status = nck_decode_thread_fits(self);
@@ -191,7 +187,7 @@ static nck_status_t check_rest(nck_decode_t *self) {
     const int timed = (cycle->said & NCK_LETTER('P')) != 0;
     if (!timed) cycle->dwell_s = 0.0;
     if ((cycle->does & PECKS) && !(cycle->said & NCK_LETTER('Q'))) return fail_missing(self, 'Q');
-    if ((cycle->does & DWELLS) && !timed && !is_fanuc(self)) return fail_missing(self, 'P');
+    if ((cycle->does & DWELLS) && !timed && !nck_is_fanuc(self)) return fail_missing(self, 'P');
     if (cycle->does & TAPS) return read_lead(self);
     const int stands = (cycle->does & STOPS) && !self->modal.spindle_on;
     return stands ? fail_missing(self, 'M') : NCK_OK;
@@ -205,7 +201,7 @@ static nck_status_t read_count(nck_decode_t *self, int64_t *count_out) {
         return nck_decode_fail_word(self, NCK_E_WORD_SHARED, 'K', 0.0, 0.0);
     }
     const nck_status_t status = nck_decode_whole(self, letter, COUNT_MOST, 1, count_out);
-    if (status != NCK_OK || *count_out > 0 || is_fanuc(self)) return status;
+    if (status != NCK_OK || *count_out > 0 || nck_is_fanuc(self)) return status;
     return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, 0.0, COUNT_MOST);
 }
 
@@ -292,7 +288,7 @@ static nck_status_t read_cycle(nck_decode_t *self, int64_t *count_out) {
 // Whether the line says where a hole is. In RS274NGC a code without an axis is a mistake; Fanuc's R
 // alone drills, and a code alone says what the next lines do.
 static int says_hole(const nck_decode_t *self) {
-    return self->words.axes != 0 || (is_fanuc(self) && (self->words.letters & NCK_LETTER('R')));
+    return self->words.axes != 0 || (nck_is_fanuc(self) && (self->words.letters & NCK_LETTER('R')));
 }
 
 // Everything is known before the first block.
@@ -302,7 +298,7 @@ static nck_status_t begin(nck_decode_t *self) {
     int64_t last_nm[NCK_AXIS_MAX], count = 0;
     self->modal.motion = self->words.code[NCK_STEP_MOTION];
     keep_or_forget(self, before);
-    if (!says_hole(self)) return is_fanuc(self) ? NCK_OK : fail_missing(self, 'X');
+    if (!says_hole(self)) return nck_is_fanuc(self) ? NCK_OK : fail_missing(self, 'X');
     nck_decode_assume(self, NCK_NOTE_UNITS);
     nck_decode_assume(self, NCK_NOTE_DISTANCE);
     nck_decode_assume(self, NCK_NOTE_PLANE);
@@ -393,7 +389,7 @@ static nck_status_t spindle(nck_decode_t *self, double code, nck_block_t *out) {
 // At feed up to R. RS274NGC's G89 goes on so, to where it retracts to.
 static nck_status_t feed_out(nck_decode_t *self, nck_block_t *out) {
     const nck_cycle_t *const cycle = &self->held.cycle;
-    const int whole = (cycle->does & DWELLS) && !is_fanuc(self); // no peck feeds out
+    const int whole = (cycle->does & DWELLS) && !nck_is_fanuc(self); // no peck feeds out
     if (!(cycle->does & FEEDS_OUT)) return NCK_EMPTY;
     const unsigned level = whole ? NCK_LEVEL_CLEAR : NCK_LEVEL_R;
     return drill_to(self, NCK_BLOCK_LINE, cycle->level_nm[level], out);

@@ -8,8 +8,8 @@
 #include "nck/prep/1_decode/modal/modal.h" // nck_decode_set_feed
 #include "nck/prep/1_decode/macro/macro.h" // nck_call_return
 #include "nck/prep/1_decode/motion/motion.h" // nck_corner_missing
-#include "nck/base/arc_math.h" // nck_arc_norm
-#include "nck/base/real.h" // nck_fabs nck_floor
+#include "nck/base/arc_math.h" // nck_arc_inner nck_arc_norm nck_arc_outer
+#include "nck/base/real.h" // nck_fabs nck_nm_of
 #include "nck/base/trig.h" // nck_atan2 nck_sincos
 
 #include <stddef.h> // NULL
@@ -169,13 +169,13 @@ static nck_status_t fail_way(nck_decode_t *self, int back) {
 static nck_status_t judge(nck_decode_t *self, uint32_t last) {
     nck_contour_t *const contour = &self->held.contour;
     const nck_rough_t *const rough = &self->held.rough;
-    nck_piece_t piece;
+    nck_slant_t slant;
     turn_frame(self, &contour->element[last]);
     if (contour->code == NCK_MOTION_PATTERN || contour->code == NCK_MOTION_FINISH) return NCK_OK;
     if (last == 0 || rough->sign[0] == 0 || rough->sign[1] == 0) return NCK_OK;
-    for (unsigned part = 0; nck_level_piece(self, last, part, &piece); part++) {
-        const int back = piece.a[0] - piece.a[1] > back_most;
-        const int falls = piece.d[0] - piece.d[1] > back_most;
+    for (unsigned part = 0; nck_level_slant(self, last, part, &slant); part++) {
+        const int back = slant.a[0] - slant.a[1] > back_most;
+        const int falls = slant.d[0] - slant.d[1] > back_most;
         contour->falls |= (uint32_t)falls;
         if (back || (contour->one_way && falls)) return fail_way(self, back);
     }
@@ -196,7 +196,7 @@ static nck_status_t round_corner(nck_decode_t *self) {
         v[k] = (double)(last->to_nm[1 - k] - before->to_nm[1 - k]) / 1e6;
     }
     const double before_mm = nck_arc_norm(u[0], u[1]), last_mm = nck_arc_norm(v[0], v[1]);
-    const double turn = nck_atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1]);
+    const double turn = nck_atan2(nck_arc_outer(u, v), nck_arc_inner(u, v));
     double sine, cosine;
     nck_sincos(0.5 * nck_fabs(turn), &sine, &cosine);
     const double ahead = radius * sine; // of the corner, times cosine
@@ -209,8 +209,8 @@ static nck_status_t round_corner(nck_decode_t *self) {
         const int64_t corner_nm = before->to_nm[k];
         const double back = ahead / cosine * u[1 - k] / before_mm;
         const double on = ahead / cosine * v[1 - k] / last_mm;
-        before->to_nm[k] = corner_nm - (int64_t)nck_floor(back * 1e6 + 0.5);
-        last->to_nm[k] = corner_nm + (int64_t)nck_floor(on * 1e6 + 0.5);
+        before->to_nm[k] = corner_nm - nck_nm_of(back);
+        last->to_nm[k] = corner_nm + nck_nm_of(on);
         const double left = k == 0 ? u[0] : -u[1]; // of the way, along this axis
         last->centre_mm[k] = (double)before->to_nm[k] / 1e6
                              + (turn > 0.0 ? radius : -radius) * left / before_mm;

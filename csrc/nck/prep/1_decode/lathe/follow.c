@@ -6,15 +6,14 @@
 #include "nck/prep/1_decode/lathe/level.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_block
 #include "nck/prep/1_decode/motion/motion.h" // nck_decode_give_exact nck_decode_give_within
-#include "nck/base/real.h" // nck_floor
+#include "nck/base/arc_math.h" // nck_arc_inner nck_arc_outer
+#include "nck/base/real.h" // nck_nm_of
 #include "nck/base/trig.h" // nck_atan2
 
 static const double tiny = 5e-7; // [mm]
 static const double beyond = 2.05; // times the distance to keep: what leads to it is longer
 
 static const uint8_t axes[2] = {NCK_AXIS_X, NCK_AXIS_Z};
-
-static int64_t whole_nm(double mm) { return (int64_t)nck_floor(mm * 1e6 + 0.5); }
 
 // Where the tool is: [0] along a, [1] along d.
 void nck_follow_place(const nck_decode_t *self, double *out) {
@@ -55,8 +54,8 @@ nck_status_t nck_follow_go(nck_decode_t *self, nck_block_kind_t kind, double a, 
     const nck_rough_t *const rough = &self->held.rough;
     const unsigned along = rough->along;
     int64_t to_nm[2];
-    to_nm[along] = self->held.contour.start_nm[axes[along]] + rough->sign[0] * whole_nm(a);
-    to_nm[1 - along] = self->held.contour.start_nm[axes[1 - along]] + rough->sign[1] * whole_nm(d);
+    to_nm[along] = self->held.contour.start_nm[axes[along]] + rough->sign[0] * nck_nm_of(a);
+    to_nm[1 - along] = self->held.contour.start_nm[axes[1 - along]] + rough->sign[1] * nck_nm_of(d);
     return give(self, kind, to_nm, out);
 }
 
@@ -131,7 +130,7 @@ static nck_status_t give_element(nck_decode_t *self, uint32_t k, nck_block_t *ou
     const int rapid = k == 0 && self->held.contour.rapid;
     int64_t to_nm[2];
     for (unsigned axis = 0; axis < 2; axis++) {
-        to_nm[axis] = element->to_nm[axis] + whole_nm(rough->shift_mm[axis]);
+        to_nm[axis] = element->to_nm[axis] + nck_nm_of(rough->shift_mm[axis]);
     }
     if (element->sweep_rad == 0.0) {
         return give(self, rapid ? NCK_BLOCK_RAPID : NCK_BLOCK_LINE, to_nm, out);
@@ -139,7 +138,7 @@ static nck_status_t give_element(nck_decode_t *self, uint32_t k, nck_block_t *ou
     const nck_status_t status = give(self, NCK_BLOCK_ARC, to_nm, out);
     for (unsigned axis = 0; axis < 2; axis++) {
         const double tool_mm = (double)self->place.tool_nm[axes[axis]] / 1e6;
-        const double shift_mm = (double)whole_nm(rough->shift_mm[axis]) / 1e6;
+        const double shift_mm = (double)nck_nm_of(rough->shift_mm[axis]) / 1e6;
         out->centre_mm[1 - axis] = element->centre_mm[axis] + shift_mm - tool_mm;
     }
     out->sweep_rad = element->sweep_rad;
@@ -147,21 +146,20 @@ static nck_status_t give_element(nck_decode_t *self, uint32_t k, nck_block_t *ou
     return status;
 }
 
-// A piece from the tool's place on.
-static nck_status_t give_piece(nck_decode_t *self, const nck_piece_t *piece, nck_block_t *out) {
+// A slant from the tool's place on.
+static nck_status_t give_slant(nck_decode_t *self, const nck_slant_t *slant, nck_block_t *out) {
     const nck_rough_t *const rough = &self->held.rough;
     double at[2], centre[2];
     nck_follow_place(self, at);
-    if (!(piece->r > 0.0)) {
-        return nck_follow_go(self, NCK_BLOCK_LINE, piece->a[1], piece->d[1], out);
+    if (!(slant->r > 0.0)) {
+        return nck_follow_go(self, NCK_BLOCK_LINE, slant->a[1], slant->d[1], out);
     }
-    const double from[2] = {at[0] - piece->ca, at[1] - piece->cd};
-    const double to[2] = {piece->a[1] - piece->ca, piece->d[1] - piece->cd};
-    const double sweep = nck_atan2(from[0] * to[1] - from[1] * to[0],
-                                   from[0] * to[0] + from[1] * to[1]);
-    const nck_status_t status = nck_follow_go(self, NCK_BLOCK_ARC, piece->a[1], piece->d[1], out);
-    centre[rough->along] = (double)rough->sign[0] * piece->ca;
-    centre[1 - rough->along] = (double)rough->sign[1] * piece->cd;
+    const double from[2] = {at[0] - slant->ca, at[1] - slant->cd};
+    const double to[2] = {slant->a[1] - slant->ca, slant->d[1] - slant->cd};
+    const double sweep = nck_atan2(nck_arc_outer(from, to), nck_arc_inner(from, to));
+    const nck_status_t status = nck_follow_go(self, NCK_BLOCK_ARC, slant->a[1], slant->d[1], out);
+    centre[rough->along] = (double)rough->sign[0] * slant->ca;
+    centre[1 - rough->along] = (double)rough->sign[1] * slant->cd;
     for (unsigned axis = 0; axis < 2; axis++) {
         const int64_t zero_nm = self->held.contour.start_nm[axes[axis]]
                                 - self->place.tool_nm[axes[axis]];
@@ -175,7 +173,7 @@ static nck_status_t give_piece(nck_decode_t *self, const nck_piece_t *piece, nck
 // Over the pockets: what lies below the way so far is passed at its height.
 static nck_status_t bridge(nck_decode_t *self, nck_block_t *out) {
     nck_rough_t *const rough = &self->held.rough;
-    nck_piece_t piece;
+    nck_slant_t slant;
     double at[2];
     if (rough->element >= self->held.contour.count) {
         double last[2];
@@ -183,23 +181,23 @@ static nck_status_t bridge(nck_decode_t *self, nck_block_t *out) {
         rough->phase = NCK_ROUGH_LEAVE;
         return nck_follow_go(self, NCK_BLOCK_LINE, last[0], rough->top, out);
     }
-    if (!nck_level_piece(self, rough->element, rough->part, &piece)) {
+    if (!nck_level_slant(self, rough->element, rough->part, &slant)) {
         rough->element++;
         rough->part = 0;
         return NCK_EMPTY;
     }
     nck_follow_place(self, at);
-    const double rises = piece.d[1] - rough->top;
-    if (rises > tiny && piece.a[0] + 1e-5 < nck_level_at(&piece, rough->top)) {
-        piece.a[0] = nck_level_at(&piece, rough->top);
+    const double rises = slant.d[1] - rough->top;
+    if (rises > tiny && slant.a[0] + 1e-5 < nck_level_at(&slant, rough->top)) {
+        slant.a[0] = nck_level_at(&slant, rough->top);
     }
-    if (rises > tiny && at[0] < piece.a[0] - 1e-5) {
-        return nck_follow_go(self, NCK_BLOCK_LINE, piece.a[0], rough->top, out);
+    if (rises > tiny && at[0] < slant.a[0] - 1e-5) {
+        return nck_follow_go(self, NCK_BLOCK_LINE, slant.a[0], rough->top, out);
     }
     rough->part++;
     if (rises <= tiny) return NCK_EMPTY;
-    rough->top = piece.d[1];
-    return give_piece(self, &piece, out);
+    rough->top = slant.d[1];
+    return give_slant(self, &slant, out);
 }
 
 static nck_status_t follow(nck_decode_t *self, nck_block_t *out) {
@@ -257,7 +255,7 @@ static nck_status_t shift(nck_decode_t *self, nck_block_t *out) {
     for (unsigned k = 0; k < 2; k++) {
         const double way_mm = left * (double)rough->pattern_nm[k] / 1e6;
         rough->shift_mm[k] = rough->spare_mm[k] + way_mm;
-        to_nm[k] = self->held.contour.start_nm[axes[k]] + whole_nm(rough->shift_mm[k]);
+        to_nm[k] = self->held.contour.start_nm[axes[k]] + nck_nm_of(rough->shift_mm[k]);
     }
     rough->element = 0;
     rough->phase = NCK_ROUGH_COPY;

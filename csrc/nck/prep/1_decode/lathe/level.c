@@ -6,7 +6,7 @@
 //        └────────────────▶ a       every part that rises or falls all along it is one stretch.
 #include "nck/prep/1_decode/lathe/level.h"
 #include "nck/prep/1_decode/lathe/lathe.h"
-#include "nck/base/arc_math.h" // nck_arc_norm
+#include "nck/base/arc_math.h" // nck_arc_inner nck_arc_norm nck_arc_outer
 #include "nck/base/real.h" // nck_sqrt …
 #include "nck/base/trig.h" // nck_atan2
 
@@ -45,9 +45,7 @@ double nck_level_turn(const nck_decode_t *self, double sweep) {
 
 // The angle from a vector to another one in the sense of turn, 0 … 2π.
 static double angle_to(const double *from, const double *to, double turn) {
-    const double cross = from[0] * to[1] - from[1] * to[0];
-    const double dot = from[0] * to[0] + from[1] * to[1];
-    const double angle = turn * nck_atan2(cross, dot);
+    const double angle = turn * nck_atan2(nck_arc_outer(from, to), nck_arc_inner(from, to));
     return angle < 0.0 ? angle + 2.0 * NCK_PI : angle;
 }
 
@@ -65,7 +63,7 @@ static void extreme(const double *from, double turn, unsigned k, double *out) {
 
 // Where part k of an arc begins: 0 its start, behind it one extreme after the other, then the end.
 // Returns 0 if there is no such place.
-static int border(const nck_piece_t *arc, double sweep, unsigned k, double *out) {
+static int border(const nck_slant_t *arc, double sweep, unsigned k, double *out) {
     const double from[2] = {arc->a[0] - arc->ca, arc->d[0] - arc->cd};
     const double most = nck_fabs(sweep) - 1e-9;
     double way[2];
@@ -85,13 +83,13 @@ static int border(const nck_piece_t *arc, double sweep, unsigned k, double *out)
     return k == 1 || first + 0.5 * NCK_PI * (double)(k - 2) < most;
 }
 
-int nck_level_piece(const nck_decode_t *self, uint32_t element, unsigned part, nck_piece_t *out) {
+int nck_level_slant(const nck_decode_t *self, uint32_t element, unsigned part, nck_slant_t *out) {
     if (!NCK_HAS_CONTOUR) return 0;
     const nck_element_t *const now = &self->held.contour.element[element];
     double from[2], to[2];
     place_of(self, self->held.contour.element[element - 1].to_nm, from);
     place_of(self, now->to_nm, to);
-    *out = (nck_piece_t){{from[0], to[0]}, {from[1], to[1]}, 0.0, 0.0, 0.0, 1.0};
+    *out = (nck_slant_t){{from[0], to[0]}, {from[1], to[1]}, 0.0, 0.0, 0.0, 1.0};
     if (now->sweep_rad == 0.0) return part == 0;
     double centre[2];
     centre_of(self, now, centre);
@@ -109,16 +107,16 @@ int nck_level_piece(const nck_decode_t *self, uint32_t element, unsigned part, n
     return has;
 }
 
-double nck_level_at(const nck_piece_t *piece, double d) {
-    const double low = nck_min(piece->a[0], piece->a[1]), high = nck_max(piece->a[0], piece->a[1]);
-    const double rise = piece->d[1] - piece->d[0];
-    double a = piece->a[0];
-    if (piece->r > 0.0) {
-        const double side = piece->a[0] + piece->a[1] >= 2.0 * piece->ca ? 1.0 : -1.0;
-        const double under = piece->r * piece->r - (d - piece->cd) * (d - piece->cd);
-        a = piece->ca + side * nck_sqrt(nck_max(under, 0.0));
+double nck_level_at(const nck_slant_t *slant, double d) {
+    const double low = nck_min(slant->a[0], slant->a[1]), high = nck_max(slant->a[0], slant->a[1]);
+    const double rise = slant->d[1] - slant->d[0];
+    double a = slant->a[0];
+    if (slant->r > 0.0) {
+        const double side = slant->a[0] + slant->a[1] >= 2.0 * slant->ca ? 1.0 : -1.0;
+        const double under = slant->r * slant->r - (d - slant->cd) * (d - slant->cd);
+        a = slant->ca + side * nck_sqrt(nck_max(under, 0.0));
     } else if (rise != 0.0) {
-        a += (d - piece->d[0]) / rise * (piece->a[1] - piece->a[0]);
+        a += (d - slant->d[0]) / rise * (slant->a[1] - slant->a[0]);
     }
     return nck_min(nck_max(a, low), high);
 }
@@ -132,29 +130,29 @@ static void take_point(double a, double d, double height, double spare, double *
     stretch[1] = nck_max(stretch[1], a + wide);
 }
 
-// The stretch of a height that a piece takes; 0: none. Its ends come from the piece's own ends,
-// from where the piece crosses the height or leaves its reach, or from where the line to the place
-// stands upright on the piece.
-static int taken(const nck_piece_t *piece, double height, double spare, double *stretch) {
-    const double low = nck_min(piece->d[0], piece->d[1]), high = nck_max(piece->d[0], piece->d[1]);
+// The stretch of a height that a slant takes; 0: none. Its ends come from the slant's own ends,
+// from where the slant crosses the height or leaves its reach, or from where the line to the place
+// stands upright on the slant.
+static int taken(const nck_slant_t *slant, double height, double spare, double *stretch) {
+    const double low = nck_min(slant->d[0], slant->d[1]), high = nck_max(slant->d[0], slant->d[1]);
     double at[4] = {height, height - spare, height, height};
     stretch[0] = far_off;
     stretch[1] = -far_off;
     if (high + spare <= height + tiny) return 0;
-    if (piece->r > 0.0) {
-        const double above = height - piece->cd, inner = piece->r - spare;
-        at[2] = piece->cd + above * piece->r / (piece->r + spare);
-        if (nck_fabs(inner) > tiny) at[3] = piece->cd + above * piece->r / inner;
+    if (slant->r > 0.0) {
+        const double above = height - slant->cd, inner = slant->r - spare;
+        at[2] = slant->cd + above * slant->r / (slant->r + spare);
+        if (nck_fabs(inner) > tiny) at[3] = slant->cd + above * slant->r / inner;
     } else {
-        const double along = piece->a[1] - piece->a[0], rise = piece->d[1] - piece->d[0];
+        const double along = slant->a[1] - slant->a[0], rise = slant->d[1] - slant->d[0];
         const double length = nck_arc_norm(along, rise);
         if (length > 0.0) at[2] = height - spare * nck_fabs(along) / length;
     }
-    take_point(piece->a[0], piece->d[0], height, spare, stretch);
-    take_point(piece->a[1], piece->d[1], height, spare, stretch);
+    take_point(slant->a[0], slant->d[0], height, spare, stretch);
+    take_point(slant->a[1], slant->d[1], height, spare, stretch);
     for (unsigned k = 0; k < 4; k++) {
         if (at[k] <= low || at[k] >= high) continue;
-        take_point(nck_level_at(piece, at[k]), at[k], height, spare, stretch);
+        take_point(nck_level_at(slant, at[k]), at[k], height, spare, stretch);
     }
     return stretch[0] <= stretch[1];
 }
@@ -169,14 +167,14 @@ static double first_place(const nck_decode_t *self, double height) {
 
 // From a place on, the first one that nothing takes.
 static double clear_place(const nck_decode_t *self, double height, double from) {
-    nck_piece_t piece;
+    nck_slant_t slant;
     double stretch[2];
     int moved = 1;
     while (moved) {
         moved = 0;
         for (uint32_t k = 1; k < self->held.contour.count; k++) {
-            for (unsigned part = 0; nck_level_piece(self, k, part, &piece); part++) {
-                if (!taken(&piece, height, self->held.rough.spare, stretch)) continue;
+            for (unsigned part = 0; nck_level_slant(self, k, part, &slant); part++) {
+                if (!taken(&slant, height, self->held.rough.spare, stretch)) continue;
                 if (stretch[0] > from + tiny || stretch[1] <= from + tiny) continue;
                 from = stretch[1];
                 moved = 1;
@@ -188,11 +186,11 @@ static double clear_place(const nck_decode_t *self, double height, double from) 
 
 // From a clear place on, where the next stretch begins that is taken.
 static double next_taken(const nck_decode_t *self, double height, double from) {
-    nck_piece_t piece;
+    nck_slant_t slant;
     double stretch[2], end = far_off;
     for (uint32_t k = 1; k < self->held.contour.count; k++) {
-        for (unsigned part = 0; nck_level_piece(self, k, part, &piece); part++) {
-            if (!taken(&piece, height, self->held.rough.spare, stretch)) continue;
+        for (unsigned part = 0; nck_level_slant(self, k, part, &slant); part++) {
+            if (!taken(&slant, height, self->held.rough.spare, stretch)) continue;
             if (stretch[1] > from + tiny && stretch[0] < end) end = stretch[0];
         }
     }
@@ -203,7 +201,7 @@ int nck_level_clear(const nck_decode_t *self, double height, double *begin, doub
     if (!NCK_HAS_CONTOUR) return 0;
     const double reach = self->held.rough.reach;
     double from = nck_max(*begin, first_place(self, height));
-    for (;;) { // every turn passes at least one piece
+    for (;;) { // every turn passes at least one slant
         from = clear_place(self, height, from);
         if (from > reach - short_cut) return 0;
         const double to = nck_min(next_taken(self, height, from), reach);
@@ -229,14 +227,14 @@ void nck_level_place(const nck_decode_t *self, uint32_t element, double *out) {
 
 void nck_level_heading(const nck_decode_t *self, uint32_t element, unsigned end, double *out) {
     if (!NCK_HAS_CONTOUR) return;
-    nck_piece_t piece, next;
-    (void)nck_level_piece(self, element, 0, &piece);
-    for (unsigned k = 1; end == 1 && nck_level_piece(self, element, k, &next); k++) piece = next;
-    out[0] = piece.a[1] - piece.a[0];
-    out[1] = piece.d[1] - piece.d[0];
-    if (piece.r > 0.0) {
-        out[0] = -piece.turn * (piece.d[end] - piece.cd);
-        out[1] = piece.turn * (piece.a[end] - piece.ca);
+    nck_slant_t slant, next;
+    (void)nck_level_slant(self, element, 0, &slant);
+    for (unsigned k = 1; end == 1 && nck_level_slant(self, element, k, &next); k++) slant = next;
+    out[0] = slant.a[1] - slant.a[0];
+    out[1] = slant.d[1] - slant.d[0];
+    if (slant.r > 0.0) {
+        out[0] = -slant.turn * (slant.d[end] - slant.cd);
+        out[1] = slant.turn * (slant.a[end] - slant.ca);
     }
     const double length = nck_arc_norm(out[0], out[1]);
     for (unsigned k = 0; k < 2 && length > 0.0; k++) out[k] /= length;

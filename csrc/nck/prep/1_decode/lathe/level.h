@@ -8,12 +8,12 @@
 // +1 if an arc's sweep turns from a towards d, else −1. Cost: constant.
 double nck_level_turn(const nck_decode_t *self, double sweep);
 
-// The part of an element, from 1, that rises or falls all along: 0 … 4 of an arc. Returns 0:
+// A slant of an element, from 1: a part that rises or falls all along; 0 … 4 of an arc. Returns 0:
 // there is none. Cost: constant.
-int nck_level_piece(const nck_decode_t *self, uint32_t element, unsigned part, nck_piece_t *out);
+int nck_level_slant(const nck_decode_t *self, uint32_t element, unsigned part, nck_slant_t *out);
 
-// Where a piece is at a height between its ends. Cost: constant.
-double nck_level_at(const nck_piece_t *piece, double d);
+// Where a slant is at a height between its ends. Cost: constant.
+double nck_level_at(const nck_slant_t *slant, double d);
 
 // The first stretch at a height, from *begin on, that keeps its distance from the contour. Returns
 // 0: there is none. Cost: quadratic in the contour at worst.

@@ -5,6 +5,9 @@
 
 #include "nck/prep/1_decode/lathe/lathe.h"
 
+// Places of a cycle have two coordinates: X, Z. Cost: constant.
+static inline unsigned nck_lathe_axis(unsigned k) { return k == 0 ? NCK_AXIS_X : NCK_AXIS_Z; }
+
 // ---- contour.c
 
 // The lines that follow are a contour's, for the cycle of that code. Cost: constant.

@@ -2,7 +2,7 @@
 // G74 and G75 of Fanuc's lathes (system C: G76, G77): pecks along Z or along X, row beside row.
 //
 //     start ─1▶ cut ─2▶ back ─1▶ … end of the row ─3▶ out ─4▶ next row … last row ─3▶ out ─5▶ start
-#include "nck/prep/1_decode/lathe/lathe.h"
+#include "nck/prep/1_decode/lathe/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_assume nck_decode_fail …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_increments nck_decode_length_word …
 #include "nck/prep/1_decode/place/place.h" // nck_decode_target
@@ -10,12 +10,6 @@
 #include "nck/prep/1_decode/motion/motion.h" // nck_decode_cutting_feed nck_decode_cycle_fits …
 
 enum { PHASE_CUT = 1, PHASE_BACK, PHASE_OUT, PHASE_NEXT };
-
-static int has(const nck_decode_t *self, char letter) {
-    return (self->words.letters & NCK_LETTER(letter)) != 0;
-}
-
-static unsigned axis_of(unsigned k) { return k == 0 ? NCK_AXIS_X : NCK_AXIS_Z; }
 
 static nck_status_t fail_missing(nck_decode_t *self, int letter) {
     return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_MOTION, letter,
@@ -35,11 +29,11 @@ static nck_status_t read_increments(nck_decode_t *self, char letter, int64_t *st
 static nck_status_t read_step(nck_decode_t *self, unsigned k, int64_t *step_out) {
     const char letter = k == 0 ? 'P' : 'Q';
     const char other = k == 0 ? 'I' : 'K';
-    const char said = has(self, other) ? other : letter;
-    if (has(self, letter) && has(self, other)) {
+    const char said = nck_has_word(self, other) ? other : letter;
+    if (nck_has_word(self, letter) && nck_has_word(self, other)) {
         return nck_decode_fail_word(self, NCK_E_WORD_SHARED, other, 0.0, 0.0);
     }
-    if (!has(self, said)) return fail_missing(self, letter);
+    if (!nck_has_word(self, said)) return fail_missing(self, letter);
     const nck_status_t status = said == other ? nck_decode_length_word(self, said, step_out)
                                               : read_increments(self, said, step_out);
     if (status != NCK_OK || *step_out > 0) return status;
@@ -52,9 +46,9 @@ static nck_status_t read_end(nck_decode_t *self) {
     int64_t target_nm[NCK_AXIS_MAX];
     nck_status_t status = nck_decode_target(self, 0, target_nm);
     for (unsigned k = 0; k < 2 && status == NCK_OK; k++) {
-        peck->start_nm[k] = self->place.position_nm[axis_of(k)];
-        peck->end_nm[k] = target_nm[axis_of(k)];
-        status = nck_decode_travel(self, axis_of(k), peck->end_nm[k]);
+        peck->start_nm[k] = self->place.position_nm[nck_lathe_axis(k)];
+        peck->end_nm[k] = target_nm[nck_lathe_axis(k)];
+        status = nck_decode_travel(self, nck_lathe_axis(k), peck->end_nm[k]);
     }
     return status;
 }
@@ -65,7 +59,7 @@ static nck_status_t read_steps(nck_decode_t *self) {
     nck_peck_t *const peck = &self->held.peck;
     const nck_number_t *const relief = &self->words.number['R' - 'A'];
     const unsigned rows = 1u - peck->along;
-    if (has(self, 'R') && relief->mantissa != 0) {
+    if (nck_has_word(self, 'R') && relief->mantissa != 0) {
         return nck_decode_fail(self, NCK_E_UNSUPPORTED, self->words.column['R' - 'A'], 'G',
                                self->words.code[NCK_STEP_MOTION] / 10.0, 0.0);
     }
@@ -77,7 +71,7 @@ static nck_status_t read_steps(nck_decode_t *self) {
 // The first of two lines: how far a peck goes back.
 static nck_status_t keep_back(nck_decode_t *self) {
     int64_t back_nm = 0;
-    if (!has(self, 'R')) return fail_missing(self, 'R');
+    if (!nck_has_word(self, 'R')) return fail_missing(self, 'R');
     const nck_status_t status = nck_decode_length_word(self, 'R', &back_nm);
     if (status == NCK_OK && back_nm < 0) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'R', nck_decode_said(self, 'R'), 0.0);
@@ -91,8 +85,8 @@ static nck_status_t begin(nck_decode_t *self) {
     const uint32_t cuts = NCK_LETTER('P') | NCK_LETTER('Q') | NCK_LETTER('I') | NCK_LETTER('K');
     peck->along = self->words.code[NCK_STEP_MOTION] == NCK_MOTION_PECK_Z;
     if (self->words.axes == 0 && !(self->words.letters & cuts)) return keep_back(self);
-    if (!(self->words.axes >> axis_of(peck->along) & 1u)) {
-        return fail_missing(self, nck_decode_letter(axis_of(peck->along)));
+    if (!(self->words.axes >> nck_lathe_axis(peck->along) & 1u)) {
+        return fail_missing(self, nck_decode_letter(nck_lathe_axis(peck->along)));
     }
     nck_decode_assume(self, NCK_NOTE_UNITS);
     nck_status_t status = nck_decode_cycle_fits(self);
@@ -144,7 +138,7 @@ static nck_status_t go(nck_decode_t *self, nck_block_t *out) {
     const int cuts = peck->phase == PHASE_CUT;
     const int is_across = peck->phase == PHASE_NEXT;
     const unsigned k = is_across ? 1u - peck->along : peck->along;
-    int64_t *const at_nm = &self->place.position_nm[axis_of(k)];
+    int64_t *const at_nm = &self->place.position_nm[nck_lathe_axis(k)];
     const int64_t to_nm = is_across ? across(peck, *at_nm) : along(peck);
     if (to_nm == *at_nm) return NCK_EMPTY;
     *at_nm = to_nm;

@@ -15,10 +15,6 @@ enum { PASSES_MOST = 1000, DEPTH_NM = 1000000 };
 
 static const int64_t any_nm = -2000000000000000; // less than every length
 
-static int has(const nck_decode_t *self, char letter) {
-    return (self->words.letters & NCK_LETTER(letter)) != 0;
-}
-
 static uint32_t code_of(const nck_decode_t *self) { return self->words.code[NCK_STEP_MOTION]; }
 
 static nck_status_t fail_missing(nck_decode_t *self, int letter) {
@@ -32,7 +28,7 @@ static nck_status_t fail_range(nck_decode_t *self, int letter, double limit) {
 
 // A length with a sign, or one that has none: more than 0, or 0 too. It stays if it is not said.
 static nck_status_t read_length(nck_decode_t *self, char letter, int64_t least_nm, int64_t *out) {
-    if (!has(self, letter)) return NCK_OK;
+    if (!nck_has_word(self, letter)) return NCK_OK;
     const nck_status_t status = nck_decode_length_word(self, letter, out);
     if (status != NCK_OK || *out >= least_nm) return status;
     return fail_range(self, letter, 0.0);
@@ -41,7 +37,7 @@ static nck_status_t read_length(nck_decode_t *self, char letter, int64_t least_n
 // Fanuc's D counts least increments where it has no point, and who wrote it may have meant lengths.
 static nck_status_t read_depth(nck_decode_t *self, int64_t *out) {
     const nck_number_t *const word = &self->words.number['D' - 'A'];
-    if (!has(self, 'D')) return NCK_OK;
+    if (!nck_has_word(self, 'D')) return NCK_OK;
     if (nck_decode_says_point(self, 'D')) return read_length(self, 'D', 1, out);
     return nck_decode_fail_word(self, NCK_E_CONTOUR, 'D', nck_number_real(word), 0.0);
 }
@@ -55,7 +51,7 @@ static nck_status_t keep_pattern(nck_decode_t *self) {
     if (status == NCK_OK) status = read_length(self, 'W', any_nm, &rough->pattern_nm[1]);
     if (status == NCK_OK) status = nck_decode_whole(self, 'R', PASSES_MOST, count, &count);
     if (status != NCK_OK) return status;
-    if (has(self, 'R') && count < 2) return fail_range(self, 'R', 2.0);
+    if (nck_has_word(self, 'R') && count < 2) return fail_range(self, 'R', 2.0);
     rough->patterns = (uint32_t)count;
     return NCK_OK;
 }
@@ -64,7 +60,7 @@ static nck_status_t keep_depth(nck_decode_t *self) {
     nck_rough_t *const rough = &self->held.rough;
     const char deep = code_of(self) == NCK_MOTION_ROUGH ? 'U' : 'W';
     const char other = deep == 'U' ? 'W' : 'U';
-    if (has(self, other)) {
+    if (nck_has_word(self, other)) {
         return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, other, 0.0, 0.0);
     }
     nck_status_t status = read_length(self, deep, 1, &rough->depth_nm);
@@ -75,7 +71,7 @@ static nck_status_t keep_depth(nck_decode_t *self) {
 static nck_status_t keep_words(nck_decode_t *self) {
     static const char others[] = "DIK";
     for (unsigned k = 0; k < 3; k++) {
-        if (has(self, others[k])) return fail_missing(self, 'P');
+        if (nck_has_word(self, others[k])) return fail_missing(self, 'P');
     }
     if (code_of(self) == NCK_MOTION_FINISH) return fail_missing(self, 'P');
     const nck_status_t status = code_of(self) == NCK_MOTION_PATTERN ? keep_pattern(self)
@@ -90,8 +86,8 @@ static nck_status_t read_lines(nck_decode_t *self) {
     nck_status_t status = nck_decode_whole(self, 'P', NCK_LABEL_MOST, 0, &first);
     if (status == NCK_OK) status = nck_decode_whole(self, 'Q', NCK_LABEL_MOST, 0, &last);
     if (status != NCK_OK) return status;
-    if (!has(self, 'P')) return fail_missing(self, 'P');
-    if (!has(self, 'Q')) return fail_missing(self, 'Q');
+    if (!nck_has_word(self, 'P')) return fail_missing(self, 'P');
+    if (!nck_has_word(self, 'Q')) return fail_missing(self, 'Q');
     if (first == last) return fail_range(self, 'Q', (double)first);
     self->held.contour.first = (uint64_t)first;
     self->held.contour.last = (uint64_t)last;
@@ -116,7 +112,7 @@ static nck_status_t read_levels(nck_decode_t *self) {
     int64_t depth_nm = rough->depth_nm;
     static const char others[] = "IKR";
     for (unsigned k = 0; k < 3; k++) {
-        if (!has(self, others[k])) continue;
+        if (!nck_has_word(self, others[k])) continue;
         return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, others[k], 0.0, 0.0);
     }
     const nck_status_t status = read_depth(self, &depth_nm);
@@ -134,12 +130,16 @@ static nck_status_t read_levels(nck_decode_t *self) {
 static nck_status_t read_patterns(nck_decode_t *self) {
     nck_rough_t *const rough = &self->held.rough;
     int64_t count = (int64_t)rough->patterns;
-    if (has(self, 'R')) return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, 'R', 0.0, 0.0);
+    if (nck_has_word(self, 'R')) {
+        return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, 'R', 0.0, 0.0);
+    }
     nck_status_t status = read_length(self, 'I', any_nm, &rough->pattern_nm[0]);
     if (status == NCK_OK) status = read_length(self, 'K', any_nm, &rough->pattern_nm[1]);
     if (status == NCK_OK) status = nck_decode_whole(self, 'D', PASSES_MOST, count, &count);
     if (status != NCK_OK) return status;
-    if (count < 2) return has(self, 'D') ? fail_range(self, 'D', 2.0) : fail_missing(self, 'R');
+    if (count < 2) {
+        return nck_has_word(self, 'D') ? fail_range(self, 'D', 2.0) : fail_missing(self, 'R');
+    }
     rough->passes = (uint32_t)count;
     return NCK_OK;
 }
@@ -214,7 +214,7 @@ static nck_status_t read_cuts(nck_decode_t *self) {
     nck_rough_t *const rough = &self->held.rough;
     const uint32_t code = code_of(self);
     int64_t depth_nm = DEPTH_NM, retract_nm = NCK_ROUGH_RETRACT_NM;
-    if (self->modal.inch && !has(self, 'I')) return fail_missing(self, 'I');
+    if (self->modal.inch && !nck_has_word(self, 'I')) return fail_missing(self, 'I');
     nck_status_t status = read_length(self, 'I', 1, &depth_nm);
     if (status == NCK_OK) status = read_length(self, 'R', 0, &retract_nm);
     rough->depth = (double)depth_nm / 1e6;
@@ -235,7 +235,7 @@ static nck_status_t read_start(nck_decode_t *self) {
 
 static nck_status_t call_contour(nck_decode_t *self) {
     int64_t name = 0;
-    if (!has(self, 'Q')) return fail_missing(self, 'Q');
+    if (!nck_has_word(self, 'Q')) return fail_missing(self, 'Q');
     nck_status_t status = nck_decode_whole(self, 'Q', NCK_LABEL_MOST, 0, &name);
     if (status == NCK_OK) status = read_distance(self);
     if (status == NCK_OK && code_of(self) != NCK_MOTION_FINISH) status = read_cuts(self);
@@ -277,7 +277,9 @@ static nck_status_t begin_cycle(nck_decode_t *self) {
     const uint32_t code = code_of(self);
     nck_status_t status = check_modes(self);
     if (status != NCK_OK) return status;
-    if (self->lathe && !has(self, 'P') && !has(self, 'Q')) return keep_words(self);
+    if (self->lathe && !nck_has_word(self, 'P') && !nck_has_word(self, 'Q')) {
+        return keep_words(self);
+    }
     nck_decode_assume(self, NCK_NOTE_UNITS);
     if (!self->lathe) nck_decode_assume(self, NCK_NOTE_DISTANCE);
     if (code != NCK_MOTION_FINISH || !self->lathe) {

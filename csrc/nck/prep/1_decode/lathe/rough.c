@@ -8,7 +8,7 @@
 #include "nck/prep/1_decode/lathe/level.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail nck_decode_leave
 #include "nck/prep/1_decode/number/number.h" // nck_decode_as_word nck_decode_travel
-#include "nck/base/real.h" // nck_min …
+#include "nck/base/real.h" // nck_min nck_nm_of …
 
 #include <stddef.h> // NULL
 
@@ -17,8 +17,6 @@ enum { LEVELS_MOST = 100000 };
 static const double tiny = 5e-7; // [mm]
 
 static const uint8_t axes[2] = {NCK_AXIS_X, NCK_AXIS_Z};
-
-static int64_t whole_nm(double mm) { return (int64_t)nck_floor(mm * 1e6 + 0.5); }
 
 static nck_status_t fail(nck_decode_t *self, nck_status_t code, int letter, double value) {
     return nck_decode_fail(self, code, 0, letter, value, 0.0);
@@ -34,19 +32,19 @@ static double height_of(const nck_rough_t *rough, uint32_t level) {
 // How low and how high the tool goes, and whether the axes may go where it leads.
 static nck_status_t survey(nck_decode_t *self) {
     nck_rough_t *const rough = &self->held.rough;
-    nck_piece_t piece;
+    nck_slant_t slant;
     rough->bottom = 0.0;
     rough->highest = 0.0;
     for (uint32_t k = 0; k < self->held.contour.count; k++) {
         for (unsigned axis = 0; axis < 2; axis++) {
             const int64_t at_nm = self->held.contour.element[k].to_nm[axis]
-                                  + whole_nm(rough->shift_mm[axis]);
+                                  + nck_nm_of(rough->shift_mm[axis]);
             const nck_status_t status = nck_decode_travel(self, axes[axis], at_nm);
             if (status != NCK_OK) return status;
         }
-        for (unsigned part = 0; k > 0 && nck_level_piece(self, k, part, &piece); part++) {
-            rough->bottom = nck_min(rough->bottom, nck_min(piece.d[0], piece.d[1]));
-            rough->highest = nck_max(rough->highest, nck_max(piece.d[0], piece.d[1]));
+        for (unsigned part = 0; k > 0 && nck_level_slant(self, k, part, &slant); part++) {
+            rough->bottom = nck_min(rough->bottom, nck_min(slant.d[0], slant.d[1]));
+            rough->highest = nck_max(rough->highest, nck_max(slant.d[0], slant.d[1]));
         }
     }
     rough->bottom += rough->spare;

@@ -11,7 +11,7 @@
 #include "nck/prep/1_decode/place/place.h" // nck_decode_target
 #include "nck/prep/1_decode/macro/macro.h" // nck_decode_moved
 #include "nck/prep/1_decode/motion/motion.h" // nck_decode_give_exact nck_decode_lead …
-#include "nck/base/real.h" // nck_fabs nck_min nck_max nck_floor
+#include "nck/base/real.h" // nck_fabs nck_min nck_max nck_nm_of
 #include "nck/base/trig_math.h" // NCK_PI
 #include "nck/base/trig.h" // nck_sincos
 
@@ -20,18 +20,9 @@ enum { PHASE_ALONG = 1, PHASE_IN, PHASE_CUT, PHASE_OUT, PHASE_BACK, PASSES_MOST 
 #define NM 1e6
 #define HUNDRED 100
 
-static int has(const nck_decode_t *self, char letter) {
-    return (self->words.letters & NCK_LETTER(letter)) != 0;
-}
-
-static double real(const nck_decode_t *self, char letter) {
-    return nck_number_real(&self->words.number[letter - 'A']);
-}
-
-static double unit(const nck_decode_t *self) { return self->modal.inch ? 25.4 : 1.0; }
-
 static nck_status_t fail_range(nck_decode_t *self, char letter, double limit) {
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, real(self, letter), limit);
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_word_real(self, letter),
+                                limit);
 }
 
 static nck_status_t fail_missing(nck_decode_t *self, char letter) {
@@ -41,8 +32,8 @@ static nck_status_t fail_missing(nck_decode_t *self, char letter) {
 
 // A word that must be there and more than 0.
 static nck_status_t read_positive(nck_decode_t *self, char letter, double scale, double *out) {
-    if (!has(self, letter)) return fail_missing(self, letter);
-    *out = real(self, letter) * scale;
+    if (!nck_has_word(self, letter)) return fail_missing(self, letter);
+    *out = nck_word_real(self, letter) * scale;
     return *out > 0.0 && *out <= (double)NCK_LINEAR_MAX_MM ? NCK_OK : fail_range(self, letter, 0.0);
 }
 
@@ -70,7 +61,7 @@ static nck_status_t read_increments(nck_decode_t *self, char letter, double *out
 static nck_status_t read_pairs(nck_decode_t *self) {
     nck_screw_t *const screw = &self->held.screw;
     int64_t word = 0;
-    if (!has(self, 'P')) return NCK_OK;
+    if (!nck_has_word(self, 'P')) return NCK_OK;
     if (!nck_number_whole(&self->words.number['P' - 'A'], 0, &word) || word < 0 || word > 999999) {
         return fail_range(self, 'P', 999999.0);
     }
@@ -88,8 +79,12 @@ static nck_status_t read_pairs(nck_decode_t *self) {
 static nck_status_t set_screw(nck_decode_t *self) {
     nck_screw_t *const screw = &self->held.screw;
     nck_status_t status = read_pairs(self);
-    if (status == NCK_OK && has(self, 'Q')) status = read_increments(self, 'Q', &screw->least);
-    if (status == NCK_OK && has(self, 'R')) status = read_length(self, 'R', &screw->allowance);
+    if (status == NCK_OK && nck_has_word(self, 'Q')) {
+        status = read_increments(self, 'Q', &screw->least);
+    }
+    if (status == NCK_OK && nck_has_word(self, 'R')) {
+        status = read_length(self, 'R', &screw->allowance);
+    }
     if (status == NCK_OK && screw->allowance < 0.0) status = fail_range(self, 'R', 0.0);
     return status == NCK_OK ? NCK_EMPTY : status;
 }
@@ -135,11 +130,11 @@ static void go_in(nck_screw_t *screw, double way) { screw->in = way < 0.0 ? -1.0
 // G92: one pass at X, with a taper R (older: I).
 static nck_status_t read_single(nck_decode_t *self) {
     nck_screw_t *const screw = &self->held.screw;
-    const char letter = has(self, 'I') ? 'I' : 'R';
-    if (has(self, 'I') && has(self, 'R')) {
+    const char letter = nck_has_word(self, 'I') ? 'I' : 'R';
+    if (nck_has_word(self, 'I') && nck_has_word(self, 'R')) {
         return nck_decode_fail_word(self, NCK_E_WORD_SHARED, 'I', 0.0, 0.0);
     }
-    if (has(self, letter)) {
+    if (nck_has_word(self, letter)) {
         const nck_status_t status = nck_decode_length_word(self, letter, &self->held.turn.taper_nm);
         if (status != NCK_OK) return status;
     }
@@ -153,22 +148,16 @@ static nck_status_t read_single(nck_decode_t *self) {
     return nck_decode_start_angle(self, &screw->turn);
 }
 
-// The root of a thread is said: its crest lies the whole depth before it.
-static void place_crest(nck_screw_t *screw) {
-    go_in(screw, (double)(screw->end_nm[0] - screw->start_nm[0]));
-    screw->end_nm[0] -= (int64_t)nck_floor(screw->in * screw->full * NM + 0.5);
-}
-
 // The second of two G76 lines: R taper, P depth, Q first cut, F lead.
 static nck_status_t read_second_line(nck_decode_t *self) {
     nck_screw_t *const screw = &self->held.screw;
     if (!screw->set) return fail_missing(self, 'P');
-    if (!has(self, 'P')) return fail_missing(self, 'P');
-    if (!has(self, 'Q')) return fail_missing(self, 'Q');
+    if (!nck_has_word(self, 'P')) return fail_missing(self, 'P');
+    if (!nck_has_word(self, 'Q')) return fail_missing(self, 'Q');
     nck_status_t status = read_increments(self, 'P', &screw->full);
     if (status == NCK_OK) status = read_increments(self, 'Q', &screw->first);
     screw->taper = 0.0;
-    if (status == NCK_OK && has(self, 'R')) status = read_length(self, 'R', &screw->taper);
+    if (status == NCK_OK && nck_has_word(self, 'R')) status = read_length(self, 'R', &screw->taper);
     if (status != NCK_OK) return status;
     screw->rough = screw->full - screw->allowance;
     screw->left = screw->springs;
@@ -184,12 +173,12 @@ static nck_status_t read_one_line(nck_decode_t *self) {
     nck_screw_t *const screw = &self->held.screw;
     nck_status_t status = read_length(self, 'K', &screw->full);
     if (status == NCK_OK && screw->full <= 0.0) status = fail_range(self, 'K', 0.0);
-    if (status == NCK_OK) status = read_positive(self, 'D', unit(self), &screw->first);
+    if (status == NCK_OK) status = read_positive(self, 'D', nck_unit_mm(self), &screw->first);
     screw->taper = 0.0;
-    if (status == NCK_OK && has(self, 'I')) status = read_length(self, 'I', &screw->taper);
+    if (status == NCK_OK && nck_has_word(self, 'I')) status = read_length(self, 'I', &screw->taper);
     if (status != NCK_OK) return status;
     if (self->words.number['D' - 'A'].decimals <= 0) return fail_range(self, 'D', 0.0);
-    const double angle = has(self, 'A') ? real(self, 'A') : 0.0;
+    const double angle = nck_has_word(self, 'A') ? nck_word_real(self, 'A') : 0.0;
     if (angle < 0.0 || angle > 120.0) return fail_range(self, 'A', 120.0);
     screw->rough = screw->full;
     screw->left = 0;
@@ -211,10 +200,12 @@ static nck_status_t read_fanuc(nck_decode_t *self) {
     screw->turn = 0.0f;
     screw->goes_back = 1;
     if (single) status = read_single(self);
-    else if (has(self, 'K')) status = read_one_line(self);
+    else if (nck_has_word(self, 'K')) status = read_one_line(self);
     else status = read_second_line(self);
-    if (status == NCK_OK) place_crest(screw);
-    return status;
+    if (status != NCK_OK) return status;
+    go_in(screw, (double)(screw->end_nm[0] - screw->start_nm[0]));
+    screw->end_nm[0] -= nck_nm_of(screw->in * screw->full); // to the crest: said is the root
+    return NCK_OK;
 }
 
 // E, the way along Z over which the tool goes in (L1, L3) and out (L2, L3).
@@ -223,7 +214,7 @@ static nck_status_t read_tapers(nck_decode_t *self) {
     double length = 0.0;
     nck_status_t status = nck_decode_whole(self, 'L', 3, 0, &ends);
     if (status != NCK_OK || ends == 0) return status;
-    status = read_positive(self, 'E', unit(self), &length);
+    status = read_positive(self, 'E', nck_unit_mm(self), &length);
     self->held.screw.entry = ends & 1 ? length : 0.0;
     self->held.screw.exit = ends & 2 ? length : 0.0;
     return status;
@@ -231,9 +222,9 @@ static nck_status_t read_tapers(nck_decode_t *self) {
 
 // R, the degression of depths, and Q, the angle at which they go in.
 static nck_status_t read_infeed(nck_decode_t *self) {
-    const double degression = has(self, 'R') ? real(self, 'R') : 1.0;
-    const double angle = has(self, 'Q') ? real(self, 'Q') : 0.0;
-    if (!has(self, 'I')) return fail_missing(self, 'I');
+    const double degression = nck_has_word(self, 'R') ? nck_word_real(self, 'R') : 1.0;
+    const double angle = nck_has_word(self, 'Q') ? nck_word_real(self, 'Q') : 0.0;
+    if (!nck_has_word(self, 'I')) return fail_missing(self, 'I');
     if (!(degression >= 1.0)) return fail_range(self, 'R', 1.0);
     if (angle < 0.0 || angle > 80.0) return fail_range(self, 'Q', 80.0);
     self->held.screw.slope = tangent(angle);
@@ -245,7 +236,7 @@ static nck_status_t read_infeed(nck_decode_t *self) {
 // Under G7 I, J and K are diameters.
 static nck_status_t read_rs274(nck_decode_t *self) {
     nck_screw_t *const screw = &self->held.screw;
-    const double size = self->modal.diameter ? 0.5 * unit(self) : unit(self);
+    const double size = self->modal.diameter ? 0.5 * nck_unit_mm(self) : nck_unit_mm(self);
     int64_t springs = 0;
     nck_status_t status = read_infeed(self);
     if (status == NCK_OK) status = read_end(self);
@@ -256,12 +247,12 @@ static nck_status_t read_rs274(nck_decode_t *self) {
     screw->entry = 0.0;
     screw->exit = 0.0;
     if (status == NCK_OK) status = read_tapers(self);
-    const double drive = real(self, 'I') * size;
+    const double drive = nck_word_real(self, 'I') * size;
     const double most = (double)NCK_LINEAR_MAX_MM;
     if (status == NCK_OK && !(nck_fabs(drive) <= most)) status = fail_range(self, 'I', most);
     if (status != NCK_OK) return status;
     go_in(screw, drive);
-    screw->end_nm[0] = screw->start_nm[0] + (int64_t)nck_floor(drive * NM + 0.5);
+    screw->end_nm[0] = screw->start_nm[0] + nck_nm_of(drive);
     screw->taper = 0.0;
     screw->rough = screw->full;
     screw->left = (uint32_t)springs;
@@ -309,7 +300,7 @@ static nck_status_t begin_mode(nck_decode_t *self) {
 }
 
 static nck_status_t read_cycle(nck_decode_t *self) {
-    const char first = !self->lathe ? 'J' : has(self, 'K') ? 'D' : 'Q';
+    const char first = !self->lathe ? 'J' : nck_has_word(self, 'K') ? 'D' : 'Q';
     nck_status_t status = self->lathe ? read_fanuc(self) : read_rs274(self);
     if (status == NCK_OK) status = nck_decode_thread_fits(self);
     return status == NCK_OK ? check_depths(self, first) : status;
@@ -337,8 +328,6 @@ static nck_status_t begin(nck_decode_t *self) {
 
 // ---- a pass
 
-static int64_t nm(double mm) { return (int64_t)nck_floor(mm * NM + 0.5); }
-
 // Which way Z goes.
 static double forward(const nck_screw_t *screw) {
     return screw->end_nm[1] < screw->start_nm[1] ? -1.0 : 1.0;
@@ -357,7 +346,7 @@ static nck_status_t rapid_to(nck_decode_t *self, unsigned axis, int64_t place_nm
 // X of the pass where it begins and ends, at its depth.
 static int64_t cut_x(const nck_screw_t *screw, int at_begin) {
     const double beside = screw->in * screw->depth + (at_begin ? screw->taper : 0.0);
-    return screw->end_nm[0] + nm(beside);
+    return screw->end_nm[0] + nck_nm_of(beside);
 }
 
 // The pass. A taper at its begin: it goes in from the crest; at its end: out to where X began.
@@ -370,7 +359,7 @@ static nck_status_t cut(nck_decode_t *self, nck_block_t *out) {
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
         end_nm[axis] = self->place.position_nm[axis];
     }
-    end_nm[NCK_AXIS_Z] = screw->end_nm[1] - nm(forward(screw) * back);
+    end_nm[NCK_AXIS_Z] = screw->end_nm[1] - nck_nm_of(forward(screw) * back);
     end_nm[NCK_AXIS_X] = screw->exit > 0.0 ? screw->start_nm[0] : x_nm;
     thread.lead = screw->lead;
     thread.turn = screw->turn;
@@ -403,11 +392,11 @@ static nck_status_t do_phase(nck_decode_t *self, nck_block_t *out) {
     switch (screw->phase) {
     case PHASE_ALONG:
         screw->phase = PHASE_IN;
-        return rapid_to(self, NCK_AXIS_Z, screw->start_nm[1] + nm(ahead), out);
+        return rapid_to(self, NCK_AXIS_Z, screw->start_nm[1] + nck_nm_of(ahead), out);
     case PHASE_IN:
         screw->phase = PHASE_CUT;
         return rapid_to(self, NCK_AXIS_X,
-                        screw->entry > 0.0 ? screw->end_nm[0] + nm(screw->taper)
+                        screw->entry > 0.0 ? screw->end_nm[0] + nck_nm_of(screw->taper)
                                            : cut_x(screw, 1),
                         out);
     case PHASE_CUT: screw->phase = PHASE_OUT; return cut(self, out);

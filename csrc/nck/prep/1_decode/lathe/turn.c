@@ -4,7 +4,7 @@
 //     turning        4 ──▶ start      facing       2 ◀── 1        1, 4 rapid, 2 the cut, 3 at feed
 //              end  ▲      │ 1                     │     ▲
 //                 3 └◀── ── ┘ 2               end ▼ 3    start … 4
-#include "nck/prep/1_decode/lathe/lathe.h"
+#include "nck/prep/1_decode/lathe/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_assume nck_decode_fail_step …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_as_word nck_decode_axis_word …
 #include "nck/prep/1_decode/tongue/tongue.h" // nck_lathe_is_a
@@ -19,8 +19,6 @@ static int is_turning(const nck_decode_t *self) {
     return self->words.code[NCK_STEP_MOTION] == NCK_MOTION_TURN;
 }
 
-static unsigned axis_of(unsigned k) { return k == 0 ? NCK_AXIS_X : NCK_AXIS_Z; }
-
 static nck_status_t fail_missing(nck_decode_t *self, int letter) {
     const double code = is_turning(self) ? 90.0 : 94.0;
     self->modal.motion = NCK_MOTION_REFUSED;
@@ -32,7 +30,7 @@ static nck_status_t fail_missing(nck_decode_t *self, int letter) {
 static nck_status_t read_end(nck_decode_t *self) {
     nck_turn_t *const turn = &self->held.turn;
     for (unsigned k = 0; k < 2; k++) {
-        const unsigned axis = axis_of(k);
+        const unsigned axis = nck_lathe_axis(k);
         const int64_t at_nm = self->place.position_nm[axis] - self->place.origin_nm[axis];
         if (!(self->words.axes >> axis & 1u)) continue;
         const nck_status_t status = nck_decode_axis_word(self, axis, &turn->end_nm[k]);
@@ -62,8 +60,8 @@ static nck_status_t read_taper(nck_decode_t *self) {
 static nck_status_t check_corner(nck_decode_t *self, int64_t *corner_nm) {
     nck_status_t status = NCK_OK;
     for (unsigned k = 0; k < 2 && status == NCK_OK; k++) {
-        status = nck_decode_steps(self, axis_of(k), 0, 0, &corner_nm[k]);
-        if (status == NCK_OK) status = nck_decode_travel(self, axis_of(k), corner_nm[k]);
+        status = nck_decode_steps(self, nck_lathe_axis(k), 0, 0, &corner_nm[k]);
+        if (status == NCK_OK) status = nck_decode_travel(self, nck_lathe_axis(k), corner_nm[k]);
     }
     return status;
 }
@@ -73,8 +71,8 @@ static nck_status_t place_corners(nck_decode_t *self) {
     nck_turn_t *const turn = &self->held.turn;
     const unsigned in = is_turning(self) ? 0 : 1;
     for (unsigned k = 0; k < 2; k++) {
-        const int64_t end_nm = turn->end_nm[k] + self->place.origin_nm[axis_of(k)];
-        turn->start_nm[k] = self->place.position_nm[axis_of(k)];
+        const int64_t end_nm = turn->end_nm[k] + self->place.origin_nm[nck_lathe_axis(k)];
+        turn->start_nm[k] = self->place.position_nm[nck_lathe_axis(k)];
         turn->corner_nm[0][k] = k == in ? end_nm + turn->taper_nm : turn->start_nm[k];
         turn->corner_nm[1][k] = end_nm;
         turn->corner_nm[2][k] = k == in ? turn->start_nm[k] : end_nm;
@@ -107,7 +105,7 @@ static nck_status_t begin(nck_decode_t *self) {
         turn->said = 0;
         turn->taper_nm = 0;
     }
-    const int says_taper = (self->words.letters & NCK_LETTER('R')) != 0;
+    const int says_taper = nck_has_word(self, 'R');
     if (self->words.axes == 0) return says_taper ? fail_missing(self, 'X') : NCK_OK;
     nck_decode_assume(self, NCK_NOTE_UNITS);
     if (self->machine->dialect.system == NCK_SYSTEM_OPEN) nck_decode_assume(self, NCK_NOTE_SYSTEM);
@@ -132,7 +130,7 @@ static nck_status_t go(nck_decode_t *self, nck_block_t *out) {
     int moves = !rapid;
     turn->left--;
     for (unsigned k = 0; k < 2; k++) {
-        int64_t *const at_nm = &self->place.position_nm[axis_of(k)];
+        int64_t *const at_nm = &self->place.position_nm[nck_lathe_axis(k)];
         moves = moves || *at_nm != to_nm[k];
         *at_nm = to_nm[k];
     }

@@ -8,16 +8,13 @@
 #include "nck/prep/1_decode/place/place.h" // nck_decode_set_tool
 #include "nck/prep/1_decode/motion/motion.h" // nck_decode_go
 #include "nck/base/budget.h" // NCK_TOLERANCE_MIN
-#include "nck/base/real.h" // nck_fabs nck_floor
+#include "nck/base/real.h" // nck_fabs nck_floor nck_rounded nck_within
 
 #include <string.h> // memcpy
 
 static const double value_max = NCK_DECODE_VALUE_MAX;
 static const double linear_max_mm = NCK_LINEAR_MAX_MM;
 static const double dwell_max_s = NCK_DECODE_DWELL_MAX_S;
-
-// NaN is in no range.
-static int within(double value, double low, double high) { return value >= low && value <= high; }
 
 static int target_good(const nck_block_in_t *block) {
     int good = block->axes < (uint32_t)1 << NCK_AXIS_MAX;
@@ -30,9 +27,9 @@ static int target_good(const nck_block_in_t *block) {
 
 static int arc_good(const nck_block_in_t *block) {
     return block->plane >= 17 && block->plane <= 19 && block->turns != 0
-           && within((double)block->turns, -NCK_DECODE_TURNS_MAX, NCK_DECODE_TURNS_MAX)
-           && within(block->centre[0], -2.0 * linear_max_mm, 2.0 * linear_max_mm)
-           && within(block->centre[1], -2.0 * linear_max_mm, 2.0 * linear_max_mm);
+           && nck_within((double)block->turns, -NCK_DECODE_TURNS_MAX, NCK_DECODE_TURNS_MAX)
+           && nck_within(block->centre[0], -2.0 * linear_max_mm, 2.0 * linear_max_mm)
+           && nck_within(block->centre[1], -2.0 * linear_max_mm, 2.0 * linear_max_mm);
 }
 
 static int kind_good(const nck_block_in_t *block) {
@@ -42,10 +39,10 @@ static int kind_good(const nck_block_in_t *block) {
     case NCK_IN_RAPID:
     case NCK_IN_LINE: return target_good(block);
     case NCK_IN_ARC: return target_good(block) && arc_good(block);
-    case NCK_IN_DWELL: return within(block->value, 0.0, dwell_max_s);
-    case NCK_IN_S: return within(block->value, 0.0, value_max);
+    case NCK_IN_DWELL: return nck_within(block->value, 0.0, dwell_max_s);
+    case NCK_IN_S: return nck_within(block->value, 0.0, value_max);
     case NCK_IN_M:
-    case NCK_IN_T: return within(block->value, 0.0, value_max) && block->value == whole;
+    case NCK_IN_T: return nck_within(block->value, 0.0, value_max) && block->value == whole;
     default: return 0;
     }
 }
@@ -58,7 +55,7 @@ int nck_decode_block_good(const nck_block_in_t *block) {
            && (!feeds || (block->feed_mode <= NCK_FEED_PER_REV && block->feed > 0.0
                           && block->feed <= value_max))
            && (!paths || (block->path_mode <= NCK_PATH_CONTINUOUS
-                          && (!within_p || within(block->tolerance, 0.0, linear_max_mm))));
+                          && (!within_p || nck_within(block->tolerance, 0.0, linear_max_mm))));
 }
 
 static void set_feed(nck_decode_t *self, const nck_block_in_t *block) {
@@ -133,7 +130,7 @@ static nck_status_t read_target(nck_decode_t *self, const nck_block_in_t *block,
         if (nck_fabs(target) > limit || nck_fabs(origin + target) > limit) {
             return nck_decode_fail(self, NCK_E_NUMBER_RANGE, 0, letter, target, limit);
         }
-        target_nm[axis] = self->place.origin_nm[axis] + (int64_t)nck_floor(target * counts + 0.5);
+        target_nm[axis] = self->place.origin_nm[axis] + nck_rounded(target * counts);
     }
     return NCK_OK;
 }

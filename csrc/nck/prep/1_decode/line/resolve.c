@@ -55,7 +55,7 @@ static uint32_t axis_letters(const nck_decode_t *self) {
                        && self->words.code[NCK_STEP_MOTION] == NCK_MOTION_SCREW;
     if (self->lathe && follows(self)) return 0; // U and W are what is left on the contour
     if (screws) return letters & ~NCK_LETTER('A'); // the thread's angle
-    if (!dwells || self->machine->dialect.base != NCK_DIALECT_FANUC) return letters;
+    if (!dwells || !nck_is_fanuc(self)) return letters;
     return letters & ~(NCK_LETTER('X') | NCK_LETTER('U'));
 }
 
@@ -90,7 +90,7 @@ static nck_status_t no_motion(nck_decode_t *self) {
 // What moves without an axis word: an arc by its centre, in Fanuc's language a cycle by its R; the
 // last knots of a spline.
 static int goes_without_axes(const nck_decode_t *self, int32_t modal) {
-    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
+    const int fanuc = nck_is_fanuc(self);
     const int knots = modal == NCK_MOTION_KNOTS || modal == NCK_MOTION_REFUSED;
     if (fanuc && knots && (self->words.letters & NCK_LETTER('K'))) return 1;
     if (nck_motion_is_cycle(modal)) return fanuc && (self->words.letters & NCK_LETTER('R'));
@@ -107,7 +107,7 @@ static nck_status_t claim_motion(nck_decode_t *self) {
     if (has(words, NCK_STEP_MOTION)) {
         // Fanuc's G0 G28 Z0: the motion code sets the mode, G28 has the words.
         const int second = taken && words->code[NCK_STEP_MOTION] != 800;
-        if (second && self->machine->dialect.base != NCK_DIALECT_FANUC) {
+        if (second && !nck_is_fanuc(self)) {
             const int offset = has(words, NCK_STEP_OFFSET) && words->code[NCK_STEP_OFFSET] <= 920;
             return nck_decode_fail_code(self, NCK_E_MODAL_GROUP,
                                         offset ? NCK_STEP_OFFSET : NCK_STEP_LENGTH);

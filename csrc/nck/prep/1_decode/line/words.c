@@ -10,17 +10,13 @@
 
 #include <stddef.h> // NULL
 
-static int is_letter(char c) {
-    return (unsigned)((c | 0x20) - 'a') < NCK_LETTERS;
-}
-
 // Does the line have a word of this letter? Asked of lines that are refused, read or not.
 static int says(const nck_decode_t *self, char letter) {
     const char *const text = self->line.text;
     int comment = 0;
     for (uint32_t k = 0; k < self->line.size && (comment || text[k] != ';'); k++) {
         if (text[k] == '(' || text[k] == ')') comment = text[k] == '(';
-        if (!comment && (text[k] & ~0x20) == letter && !is_letter(text[k + 1])) return 1;
+        if (!comment && (text[k] & ~0x20) == letter && !nck_is_letter(text[k + 1])) return 1;
     }
     return 0;
 }
@@ -40,7 +36,7 @@ static unsigned column_of(const nck_decode_t *self, const char *at) {
 // Does a value begin here that is no plain number? Two letters begin a function.
 static int begins_value(const char *at) {
     if (*at == '+' || *at == '-') at = nck_decode_skip(at + 1);
-    return *at == '#' || *at == '[' || (is_letter(at[0]) && is_letter(at[1]));
+    return *at == '#' || *at == '[' || (nck_is_letter(at[0]) && nck_is_letter(at[1]));
 }
 
 // A letter without a number behind it: a control word, a letter with a value, or a mistake.
@@ -271,7 +267,7 @@ nck_status_t nck_decode_words(nck_decode_t *self, const char *at) {
     self->words.place = 0;
     self->words.polars = 0;
     while (status >= NCK_OK && *at != '\n') {
-        if (is_letter(*at)) {
+        if (nck_is_letter(*at)) {
             status = read_word(self, &at);
         } else if (*at == ' ' || *at == '\t') {
             at++;

@@ -52,7 +52,7 @@ nck_status_t nck_call_return(nck_decode_t *self) {
 
 // P: the program; L: how often. Fanuc writes both into P: 0031000 is three times 1000.
 static nck_status_t read_target(nck_decode_t *self, int64_t *program, int64_t *count) {
-    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
+    const int fanuc = nck_is_fanuc(self);
     nck_status_t status = nck_decode_whole(self, 'P', PROGRAM_MOST, -1, program);
     if (status == NCK_OK) status = nck_decode_whole(self, 'L', COUNT_MOST, 1, count);
     if (status != NCK_OK) return status;

@@ -9,8 +9,6 @@ enum { ALARMS = 3000, STOPS = 3006 }; // numbers of parameters
 
 static const double label_most = NCK_LABEL_MOST;
 
-static int is_letter(char c) { return (unsigned)((c | 0x20) - 'a') < NCK_LETTERS; }
-
 static const char *end_of_line(const nck_decode_t *self) {
     return self->line.text + self->line.size;
 }
@@ -33,7 +31,7 @@ static nck_status_t set_work(nck_decode_t *self, const char *at, uint64_t number
 
 // What the control itself does where its own parameters are set.
 static nck_status_t set_own(nck_decode_t *self, const char *at, uint64_t number, double value) {
-    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
+    const int fanuc = nck_is_fanuc(self);
     if (fanuc && number == ALARMS) {
         return nck_decode_fail_last(self, NCK_E_ALARM, nck_value_is(value) ? value : 0.0, 0.0);
     }
@@ -76,7 +74,7 @@ static nck_status_t read_target(nck_decode_t *self, const char **at, uint64_t *k
 }
 
 nck_status_t nck_decode_assign(nck_decode_t *self, const char **at) {
-    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
+    const int fanuc = nck_is_fanuc(self);
     const char *const first = *at;
     uint64_t key = 0;
     double value = 0.0;
@@ -167,7 +165,7 @@ nck_status_t nck_decode_control(nck_decode_t *self, const char **at) {
     enum { NONE, IF, GOTO, WHILE, DO };
     const char *end = NULL;
     const unsigned word = nck_decode_listed(*at, "IF GOTO WHILE DO END ", &end);
-    if (word == NONE || is_letter(*nck_decode_skip(end))) return NCK_EMPTY;
+    if (word == NONE || nck_is_letter(*nck_decode_skip(end))) return NCK_EMPTY;
     if (!NCK_HAS_CALLS) return fail_at(self, *at, NCK_E_UNSUPPORTED);
     const nck_status_t speaks = nck_decode_only(self, *at, NCK_TONGUES_FANUC);
     if (speaks != NCK_OK) return speaks;

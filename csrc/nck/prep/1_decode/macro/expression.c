@@ -4,7 +4,7 @@
 #include "nck/prep/1_decode/macro/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail_at nck_decode_only nck_value_index …
 #include "nck/prep/1_decode/number/number.h" // nck_bits nck_exp nck_from_bcd nck_log …
-#include "nck/base/real.h" // nck_fabs …
+#include "nck/base/real.h" // nck_fabs nck_rounded …
 #include "nck/base/trig_math.h" // NCK_PI
 
 #include <stddef.h> // NULL
@@ -48,7 +48,7 @@ static void only(work_t *work, uint32_t whose) {
 }
 
 static int is_fanuc(const work_t *work) {
-    return work->self->machine->dialect.base == NCK_DIALECT_FANUC;
+    return nck_is_fanuc(work->self);
 }
 
 static void skip(work_t *work) { work->at = nck_decode_skip(work->at); }
@@ -76,10 +76,6 @@ static operator_t top(const work_t *work) {
 }
 
 // ---- arithmetic
-
-static double round_half_away(double x) {
-    return x < 0.0 ? -nck_floor(0.5 - x) : nck_floor(x + 0.5);
-}
 
 // Down and up; in Fanuc's language towards zero and away from it.
 static double to_whole(const work_t *work, double x, int up) {
@@ -115,8 +111,9 @@ static double root_or_log(work_t *work, operator_t function, double x) {
 }
 
 static double rounded(const work_t *work, operator_t function, double x) {
-    const int to_nearest = function == ROUND || function == RND;
-    return to_nearest ? round_half_away(x) : to_whole(work, x, function == FUP);
+    const int to_nearest = function == ROUND || function == RND; // halves away from zero
+    if (!to_nearest) return to_whole(work, x, function == FUP);
+    return x < 0.0 ? -nck_floor(0.5 - x) : nck_floor(x + 0.5);
 }
 
 static int rounds(operator_t function) {
@@ -351,8 +348,6 @@ static void read_number(work_t *work) {
     complete(work);
 }
 
-static int is_digit(char c) { return (c >= '0' && c <= '9') || c == '.'; }
-
 // A part of an operand. Returns 1 if the operand is complete, 0 if more of it follows.
 static int read_operand(work_t *work) {
     skip(work);
@@ -377,7 +372,7 @@ static int read_operand(work_t *work) {
         work->at++;
         return 0;
     }
-    if (is_digit(c)) {
+    if (nck_is_digit(c) || c == '.') {
         read_number(work);
         return 1;
     }
@@ -490,7 +485,7 @@ void nck_decode_number(double value, nck_number_t *out) {
         power *= 10.0;
         decimals++;
     }
-    out->mantissa = (int64_t)nck_floor(magnitude * power + 0.5);
+    out->mantissa = nck_rounded(magnitude * power);
     out->decimals = (int16_t)decimals;
     out->first = 0;
     out->last = 0;

@@ -5,10 +5,6 @@
 
 #include <stddef.h> // NULL
 
-static int is_letter(char c) { return (unsigned)((c | 0x20) - 'a') < NCK_LETTERS; }
-
-static int is_digit(char c) { return c >= '0' && c <= '9'; }
-
 const char *nck_decode_skip(const char *at) {
     while (*at == ' ' || *at == '\t' || *at == '(') {
         const char *end = at + 1;
@@ -68,8 +64,8 @@ const char *nck_decode_name_key(const char *at, uint64_t *key_out) {
         return end;
     }
     uint64_t number = 0;
-    if (!is_digit(*at)) return NULL;
-    for (; is_digit(*at) && number <= NCK_LABEL_MOST; at++) {
+    if (!nck_is_digit(*at)) return NULL;
+    for (; nck_is_digit(*at) && number <= NCK_LABEL_MOST; at++) {
         number = 10 * number + (uint64_t)(*at - '0');
     }
     *key_out = number;
@@ -85,7 +81,7 @@ unsigned nck_decode_word(const char *at, const char **behind) {
     *behind = at;
     if (*at == '\n' || *at == ';') return NCK_O_NAME;
     const unsigned k = listed(at, words, 1, &end);
-    if (k == 0 || is_letter(*end)) return NCK_O_OTHER;
+    if (k == 0 || nck_is_letter(*end)) return NCK_O_OTHER;
     *behind = end;
     return NCK_O_SUB + k - 1;
 }
@@ -103,7 +99,7 @@ void nck_decode_sign(const nck_decode_t *self, nck_sign_t *sign_out) {
         at = nck_decode_skip(at);
     }
     const char *const end = nck_decode_spells(at, "END");
-    if (end != NULL && is_digit(*nck_decode_skip(end))) {
+    if (end != NULL && nck_is_digit(*nck_decode_skip(end))) {
         (void)nck_decode_name_key(nck_decode_skip(end), &sign_out->key);
         sign_out->word = NCK_O_END;
     } else if ((*at & ~0x20) == 'O' || *at == ':') {

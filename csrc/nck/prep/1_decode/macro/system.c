@@ -34,7 +34,7 @@ typedef enum ask {
 static double shown(const nck_decode_t *self, unsigned axis, int64_t counts) {
     if (self->place.rotary >> axis & 1u) return (double)counts / (double)NCK_COUNTS_PER_DEG;
     const double mm = (double)counts / (double)NCK_COUNTS_PER_MM;
-    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
+    const int fanuc = nck_is_fanuc(self);
     const double factor = fanuc && axis == NCK_AXIS_X && self->modal.diameter ? 2.0 : 1.0;
     return factor * (self->modal.inch ? mm / 25.4 : mm);
 }

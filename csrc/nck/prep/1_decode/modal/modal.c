@@ -14,18 +14,6 @@ static const double value_max = NCK_DECODE_VALUE_MAX;
 static const double dwell_max_s = NCK_DECODE_DWELL_MAX_S;
 static const double linear_max_mm = NCK_LINEAR_MAX_MM;
 
-static double real_word(const nck_decode_t *self, char letter) {
-    return nck_number_real(&self->words.number[letter - 'A']);
-}
-
-static int has_word(const nck_decode_t *self, char letter) {
-    return (self->words.letters & NCK_LETTER(letter)) != 0;
-}
-
-static double unit_mm(const nck_decode_t *self) {
-    return self->modal.inch ? 25.4 : 1.0;
-}
-
 static nck_status_t give_m(const nck_decode_t *self, nck_step_t step, nck_block_t *out) {
     return nck_decode_give_m(self, self->words.code[step] / 10, out);
 }
@@ -37,7 +25,7 @@ nck_status_t nck_decode_units(nck_decode_t *self, nck_block_t *out) {
     const int inverse = mode_said ? words->code[NCK_STEP_FEED_MODE] == 930
                                   : self->modal.feed_mode == NCK_FEED_INVERSE;
     (void)out;
-    if (inch != self->modal.inch && has_word(self, 'F') && !inverse) {
+    if (inch != self->modal.inch && nck_has_word(self, 'F') && !inverse) {
         nck_decode_assume(self, NCK_NOTE_FEED_UNITS);
     }
     self->modal.inch = inch;
@@ -77,12 +65,16 @@ static double least_feed(const nck_decode_t *self) {
 }
 
 nck_status_t nck_decode_feed(nck_decode_t *self, nck_block_t *out) {
-    const double value = real_word(self, 'F');
-    const double unit = self->modal.feed_mode == NCK_FEED_INVERSE ? 1.0 : unit_mm(self);
+    const double value = nck_word_real(self, 'F');
+    const double unit = self->modal.feed_mode == NCK_FEED_INVERSE ? 1.0 : nck_unit_mm(self);
     const double feed = value * unit;
     (void)out;
     if (self->lathe && self->machine->dialect.feed == NCK_FEED_START_OPEN) {
         nck_decode_assume(self, NCK_NOTE_FEED_MODE);
+    }
+    if (value <= 0.0 && self->tongue == NCK_TONGUE_MARLIN) {
+        nck_decode_note_word(self, NCK_NOTE_FEED_KEPT, 'F', value);
+        return NCK_EMPTY;
     }
     if (value < 0.0 || feed > value_max) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'F', value, value_max / unit);
@@ -98,7 +90,7 @@ nck_status_t nck_decode_feed(nck_decode_t *self, nck_block_t *out) {
 // M61: the tool in the spindle is this one; nothing moves.
 static nck_status_t set_tool(nck_decode_t *self) {
     int64_t number = 0;
-    if (!has_word(self, 'Q')) {
+    if (!nck_has_word(self, 'Q')) {
         return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_CHANGE, 'Q', 0.0, 0.0);
     }
     const nck_status_t status = nck_decode_whole(self, 'Q', NCK_DECODE_VALUE_MAX, 0, &number);
@@ -167,10 +159,10 @@ nck_status_t nck_decode_own(nck_decode_t *self, nck_block_t *out) {
 // S.
 static char dwell_letter(const nck_decode_t *self) {
     const uint32_t base = self->machine->dialect.base;
-    if (has_word(self, 'P')) return 'P';
-    if (base == NCK_DIALECT_MARLIN && has_word(self, 'S')) return 'S';
-    if (base == NCK_DIALECT_FANUC && has_word(self, 'X')) return 'X';
-    if (base == NCK_DIALECT_FANUC && has_word(self, 'U')) return 'U';
+    if (nck_has_word(self, 'P')) return 'P';
+    if (base == NCK_DIALECT_MARLIN && nck_has_word(self, 'S')) return 'S';
+    if (base == NCK_DIALECT_FANUC && nck_has_word(self, 'X')) return 'X';
+    if (base == NCK_DIALECT_FANUC && nck_has_word(self, 'U')) return 'U';
     return 0;
 }
 
@@ -180,7 +172,7 @@ nck_status_t nck_decode_dwell_word(nck_decode_t *self, char letter, double *dwel
     const uint32_t base = self->machine->dialect.base;
     const int millisecond = base == NCK_DIALECT_FANUC || base == NCK_DIALECT_MARLIN;
     const int counts = letter == 'P';
-    const double word = counts ? real_word(self, letter) : nck_decode_real_word(self, letter);
+    const double word = counts ? nck_word_real(self, letter) : nck_decode_real_word(self, letter);
     const double dwell_s = counts && millisecond ? word / 1000.0 : word;
     if (!(word >= 0.0 && dwell_s <= dwell_max_s)) {
         const double unit = counts ? (millisecond ? 1000.0 : 1.0)
@@ -219,9 +211,9 @@ nck_status_t nck_decode_diameter(nck_decode_t *self, nck_block_t *out) {
 // G64 without P means the machine's tolerance. That the path stays exact within one that is too
 // small is noted.
 static double read_tolerance(nck_decode_t *self) {
-    const int says = has_word(self, 'P');
+    const int says = nck_has_word(self, 'P');
     const double tolerance =
-        says ? real_word(self, 'P') * unit_mm(self) : nck_decode_plain_mm(self);
+        says ? nck_word_real(self, 'P') * nck_unit_mm(self) : nck_decode_plain_mm(self);
     if (!NCK_HAS_SMOOTH) nck_decode_assume(self, NCK_NOTE_TOLERANCE);
     if (tolerance >= NCK_TOLERANCE_MIN || tolerance < 0.0) return tolerance;
     if (says) nck_decode_note_word(self, NCK_NOTE_TOLERANCE, 'P', tolerance);
@@ -239,18 +231,19 @@ static nck_status_t set_exact(nck_decode_t *self, int stop) {
 // G64 without Q: Q is the tolerance in force.
 nck_status_t nck_decode_path(nck_decode_t *self, nck_block_t *out) {
     const uint16_t code = self->words.code[NCK_STEP_PATH];
-    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
+    const int fanuc = nck_is_fanuc(self);
     (void)out;
     if (fanuc && code != 610 && code != 640) return nck_decode_mode(self);
     // Fanuc's G61 is exact stop, RS274NGC's is exact path.
     if (code != 640) return set_exact(self, code == 611 || fanuc);
     const double tolerance = read_tolerance(self);
-    const double merge = has_word(self, 'Q') ? real_word(self, 'Q') * unit_mm(self) : tolerance;
+    const double merge = nck_has_word(self, 'Q') ? nck_word_real(self, 'Q') * nck_unit_mm(self)
+                         : tolerance;
     const int p_good = tolerance >= 0.0 && tolerance <= linear_max_mm;
     if (!p_good || merge < 0.0 || merge > linear_max_mm) {
         const char letter = p_good ? 'Q' : 'P';
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, real_word(self, letter),
-                                    linear_max_mm / unit_mm(self));
+        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_word_real(self, letter),
+                                    linear_max_mm / nck_unit_mm(self));
     }
     self->modal.path_mode = NCK_PATH_CONTINUOUS;
     self->modal.tolerance_mm = tolerance;

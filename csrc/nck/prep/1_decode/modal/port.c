@@ -10,20 +10,14 @@ enum {
 
 static const double value_most = NCK_DECODE_VALUE_MAX;
 
-static int has(const nck_decode_t *self, char letter) {
-    return (self->words.letters & NCK_LETTER(letter)) != 0;
-}
-
-static double code_of(const nck_decode_t *self) { return self->words.code[NCK_STEP_PORT] / 10.0; }
-
 static nck_status_t fail_missing(nck_decode_t *self, char letter) {
-    return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_PORT, letter, code_of(self),
-                                0.0);
+    return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_PORT, letter,
+                                self->words.code[NCK_STEP_PORT] / 10.0, 0.0);
 }
 
 static nck_status_t read_port(nck_decode_t *self, char letter, uint32_t *port_out) {
     int64_t port = 0;
-    if (!has(self, letter)) return fail_missing(self, letter);
+    if (!nck_has_word(self, letter)) return fail_missing(self, letter);
     const int64_t most = letter == 'P' ? PORT_MOST : ANALOGUE_MOST;
     const nck_status_t status = nck_decode_whole(self, letter, most, 0, &port);
     *port_out = (uint32_t)port;
@@ -31,7 +25,7 @@ static nck_status_t read_port(nck_decode_t *self, char letter, uint32_t *port_ou
 }
 
 static nck_status_t read_real(nck_decode_t *self, char letter, double least, double *value_out) {
-    *value_out = has(self, letter) ? nck_number_real(&self->words.number[letter - 'A']) : 0.0;
+    *value_out = nck_has_word(self, letter) ? nck_word_real(self, letter) : 0.0;
     if (*value_out >= least && *value_out <= value_most) return NCK_OK;
     return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, *value_out, value_most);
 }
@@ -52,11 +46,11 @@ static nck_status_t check_wait(nck_decode_t *self, char letter, int64_t kind, do
 
 // M66: the program waits there for an input, L0: it does not.
 static nck_status_t read_input(nck_decode_t *self, nck_block_t *out) {
-    const char letter = has(self, 'E') ? 'E' : 'P';
+    const char letter = nck_has_word(self, 'E') ? 'E' : 'P';
     uint32_t port = 0;
     int64_t kind = 0;
     double most_s = 0.0;
-    if (has(self, 'E') && has(self, 'P')) {
+    if (nck_has_word(self, 'E') && nck_has_word(self, 'P')) {
         return nck_decode_fail_word(self, NCK_E_WORD_SHARED, 'E', 0.0, 0.0);
     }
     nck_status_t status = read_port(self, letter, &port);
@@ -76,7 +70,7 @@ static nck_status_t set_output(nck_decode_t *self, nck_block_t *out) {
     double value = 0.0;
     const int analogue = code >= 670;
     nck_status_t status = read_port(self, analogue ? 'E' : 'P', &port);
-    if (status == NCK_OK && analogue && !has(self, 'Q')) status = fail_missing(self, 'Q');
+    if (status == NCK_OK && analogue && !nck_has_word(self, 'Q')) status = fail_missing(self, 'Q');
     if (status == NCK_OK && analogue) status = read_real(self, 'Q', -value_most, &value);
     if (status != NCK_OK) return status;
     if (analogue) return give(self, NCK_OUTPUT_ANALOGUE, port, value, out);

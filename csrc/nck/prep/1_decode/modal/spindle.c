@@ -11,14 +11,6 @@
 
 static const double value_max = NCK_DECODE_VALUE_MAX;
 
-static int has_word(const nck_decode_t *self, char letter) {
-    return (self->words.letters & NCK_LETTER(letter)) != 0;
-}
-
-static double real_word(const nck_decode_t *self, char letter) {
-    return nck_number_real(&self->words.number[letter - 'A']);
-}
-
 static nck_status_t give_speed(nck_decode_t *self, double rpm, nck_block_t *out) {
     self->modal.speed = rpm;
     self->modal.excused &= (uint8_t)~NCK_EXCUSED_SPEED;
@@ -52,7 +44,7 @@ nck_status_t nck_decode_set_speed(nck_decode_t *self, double word, nck_block_t *
 
 // Under G96 S is in m/min, with inches in feet a minute.
 nck_status_t nck_decode_speed(nck_decode_t *self, nck_block_t *out) {
-    const double word = real_word(self, 'S');
+    const double word = nck_word_real(self, 'S');
     if (!self->modal.surface_on) return nck_decode_set_speed(self, word, out);
     const double unit = self->modal.inch ? MM_PER_FOOT : MM_PER_M;
     if (word < 0.0 || word * unit > value_max) {
@@ -64,7 +56,7 @@ nck_status_t nck_decode_speed(nck_decode_t *self, nck_block_t *out) {
 
 // A most of the spindle's speed: a word above what the machine has is no mistake.
 static nck_status_t read_most(nck_decode_t *self, char letter) {
-    const double word = real_word(self, letter);
+    const double word = nck_word_real(self, letter);
     if (!(word > 0.0 && word <= value_max)) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, word, value_max);
     }
@@ -82,7 +74,7 @@ static nck_status_t fail_mode(nck_decode_t *self, nck_status_t code, int letter)
 static nck_status_t check_most(nck_decode_t *self, int fanuc) {
     const int shared = (self->words.codes & NCK_STEP(NCK_STEP_RADIUS_COMP)) != 0;
     if (!fanuc) self->modal.speed_most = 0.0;
-    if (!has_word(self, 'D')) return NCK_EMPTY;
+    if (!nck_has_word(self, 'D')) return NCK_EMPTY;
     if (!fanuc && !shared) return read_most(self, 'D');
     return nck_decode_fail_word(self, fanuc ? NCK_E_WORD_UNUSED : NCK_E_WORD_SHARED, 'D', 0.0,
                                 0.0);
@@ -91,14 +83,14 @@ static nck_status_t check_most(nck_decode_t *self, int fanuc) {
 // What G96 needs: a most, since on the axis the speed would have no bound, and a surface speed.
 // RS274NGC says the most beside it, as D; Fanuc's G92 or G50 has said it before, and S stays known.
 static nck_status_t check_surface(nck_decode_t *self) {
-    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
+    const int fanuc = nck_is_fanuc(self);
     const nck_status_t status = check_most(self, fanuc);
     if (status != NCK_EMPTY) return status;
     if (nck_decode_speed_most(self) <= 0.0) {
         return fail_mode(self, NCK_E_SPEED_LIMIT, fanuc ? 'S' : 'D');
     }
     const int known = fanuc && self->modal.surface > 0.0;
-    return known || has_word(self, 'S') ? NCK_EMPTY : fail_mode(self, NCK_E_WORD_MISSING, 'S');
+    return known || nck_has_word(self, 'S') ? NCK_EMPTY : fail_mode(self, NCK_E_WORD_MISSING, 'S');
 }
 
 // The speed that the surface speed means where the tool stands.
@@ -118,8 +110,8 @@ nck_status_t nck_decode_speed_mode(nck_decode_t *self, nck_block_t *out) {
     if (status != NCK_EMPTY) return status;
     self->modal.surface_on = on;
     if (on == before) return NCK_EMPTY;
-    if (on && !has_word(self, 'S')) return give_surface(self, self->modal.surface, out);
-    if (!on && !has_word(self, 'S')) return give_speed(self, speed_here(self), out);
+    if (on && !nck_has_word(self, 'S')) return give_surface(self, self->modal.surface, out);
+    if (!on && !nck_has_word(self, 'S')) return give_speed(self, speed_here(self), out);
     self->modal.speed = -1.0; // the S word is told, whatever was in force before
     if (on) self->modal.surface = 0.0;
     return NCK_EMPTY;

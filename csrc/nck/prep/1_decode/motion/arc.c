@@ -5,6 +5,7 @@
 #include "nck/prep/1_decode/number/number.h" // nck_decode_as_word nck_decode_counts …
 #include "nck/prep/1_decode/place/place.h" // nck_layout_way nck_plane_axes
 #include "nck/base/arc_math.h" // nck_arc_sweep …
+#include "nck/base/real.h" // nck_mm_of nck_nm_of nck_rounded …
 
 #include <stddef.h> // NULL
 #include <string.h> // memcpy memset
@@ -17,14 +18,6 @@ typedef struct course {
     double d[2];            // end
     double c[2];            // centre
 } course_t;
-
-static double mm(int64_t value_nm) {
-    return (double)value_nm / 1e6;
-}
-
-static int has(const nck_decode_t *self, char letter) {
-    return (self->words.letters & NCK_LETTER(letter)) != 0;
-}
 
 // One of I J K, of a set that is not empty.
 static int first_of(uint32_t letters) {
@@ -54,7 +47,7 @@ static nck_status_t choose_plane(nck_decode_t *self, course_t *course) {
 static nck_status_t read_turns(nck_decode_t *self, course_t *course) {
     const nck_number_t *const word = &self->words.number['P' - 'A'];
     int64_t turns = 1;
-    const int own = has(self, 'P') && !(self->words.codes & (NCK_STEP(NCK_STEP_DWELL)
+    const int own = nck_has_word(self, 'P') && !(self->words.codes & (NCK_STEP(NCK_STEP_DWELL)
                                                              | NCK_STEP(NCK_STEP_PATH)));
     if (own && (!nck_number_whole(word, 0, &turns) || turns < 1 || turns > NCK_DECODE_TURNS_MAX)) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'P', nck_number_real(word),
@@ -66,7 +59,7 @@ static nck_status_t read_turns(nck_decode_t *self, course_t *course) {
 
 static nck_status_t read_length(nck_decode_t *self, char letter, int64_t *value_out) {
     *value_out = 0;
-    return has(self, letter) ? nck_decode_length_word(self, letter, value_out) : NCK_OK;
+    return nck_has_word(self, letter) ? nck_decode_length_word(self, letter, value_out) : NCK_OK;
 }
 
 // The furthest points of a circle within its sweep must be in the travel; its ends are checked
@@ -81,7 +74,7 @@ static nck_status_t check_bulge(nck_decode_t *self, const course_t *course, cons
         const double way[2] = {k % 2 == 0 ? sign : 0.0, k % 2 == 0 ? 0.0 : sign};
         if (b != NULL && !nck_arc_passes(a, b, way)) continue;
         const double far_nm = centre_nm[k % 2] + sign * radius_nm;
-        const nck_status_t status = nck_decode_travel(self, axis, (int64_t)nck_floor(far_nm + 0.5));
+        const nck_status_t status = nck_decode_travel(self, axis, nck_rounded(far_nm));
         if (status != NCK_OK) return status;
     }
     return NCK_OK;
@@ -99,7 +92,7 @@ static nck_status_t fill_block(nck_decode_t *self, const course_t *course, const
     for (unsigned k = 0; k < 2; k++) {
         const int64_t tool_nm = self->place.tool_nm[axes[k]];
         centre_nm[k] = (double)from_nm[axes[k]] + course->c[k] * 1e6;
-        out->centre_mm[k] = mm(from_nm[axes[k]] - tool_nm) + course->c[k];
+        out->centre_mm[k] = nck_mm_of(from_nm[axes[k]] - tool_nm) + course->c[k];
     }
     out->sweep_rad = sweep;
     const double from[2] = {-course->c[0], -course->c[1]};
@@ -131,7 +124,7 @@ static nck_status_t arc_by_radius(nck_decode_t *self, course_t *course, const in
     if (status != NCK_OK) return status;
     double unit[2] = {1.0, 0.0};
     const double scale = self->layout.on != 0 ? nck_fabs(nck_layout_way(self, unit)) : 1.0;
-    const double radius = scale * mm(radius_nm);
+    const double radius = scale * nck_mm_of(radius_nm);
     if (radius_nm == 0 || !(length > 0.0)) {
         return nck_decode_fail_word(self, NCK_E_ARC_CENTRE, 'R', radius, 0.0);
     }
@@ -159,7 +152,7 @@ static nck_status_t read_centre(nck_decode_t *self, course_t *course) {
     nck_decode_assume(self, NCK_NOTE_ARC_CENTRE);
     for (unsigned k = 0; k < 2; k++) {
         int64_t centre_nm;
-        if (self->modal.centre_absolute && !has(self, letters[k])) {
+        if (self->modal.centre_absolute && !nck_has_word(self, letters[k])) {
             return nck_decode_fail(self, NCK_E_WORD_MISSING, 0, letters[k], 0.0, 0.0);
         }
         const nck_status_t status = read_length(self, letters[k], &centre_nm);
@@ -167,7 +160,7 @@ static nck_status_t read_centre(nck_decode_t *self, course_t *course) {
         if (self->modal.centre_absolute) {
             centre_nm += self->place.origin_nm[axes[k]] - self->place.position_nm[axes[k]];
         }
-        course->c[k] = mm(centre_nm);
+        course->c[k] = nck_mm_of(centre_nm);
     }
     if (self->layout.on != 0) (void)nck_layout_way(self, course->c);
     return NCK_OK;
@@ -191,9 +184,9 @@ static nck_status_t fail_radius(nck_decode_t *self, const course_t *course, doub
     const nck_status_t status = fail_arc(self, NCK_E_ARC_RADIUS, end, start);
     double c[2];
     for (unsigned k = 0; k < 2; k++) {
-        if (!has(self, (char)('I' + axes[k])) || self->layout.on != 0) return status;
+        if (!nck_has_word(self, (char)('I' + axes[k])) || self->layout.on != 0) return status;
         const int64_t zero_nm = self->place.origin_nm[axes[k]] - self->place.position_nm[axes[k]];
-        c[k] = course->c[k] + sign * mm(zero_nm);
+        c[k] = course->c[k] + sign * nck_mm_of(zero_nm);
     }
     const double other = nck_arc_norm(c[0], c[1]);
     const double rest = nck_arc_norm(course->d[0] - c[0], course->d[1] - c[1]);
@@ -233,11 +226,11 @@ static nck_status_t arc_in_two(nck_decode_t *self, course_t *course, const int64
         double ahead_nm = (double)(target_nm[axis] - from_nm[axis]) * share;
         if (axis == course->u) ahead_nm = first.d[0] * 1e6;
         if (axis == course->v) ahead_nm = first.d[1] * 1e6;
-        middle_nm[axis] = from_nm[axis] + (int64_t)nck_floor(ahead_nm + 0.5);
+        middle_nm[axis] = from_nm[axis] + nck_rounded(ahead_nm);
     }
     first.more = 0.0;
-    first.d[0] = mm(middle_nm[course->u] - from_nm[course->u]);
-    first.d[1] = mm(middle_nm[course->v] - from_nm[course->v]);
+    first.d[0] = nck_mm_of(middle_nm[course->u] - from_nm[course->u]);
+    first.d[1] = nck_mm_of(middle_nm[course->v] - from_nm[course->v]);
     for (unsigned k = 0; k < 2; k++) {
         second.d[k] = course->d[k] - first.d[k];
         second.c[k] = course->c[k] - first.d[k];
@@ -279,8 +272,8 @@ static void take_centre(const nck_decode_t *self, const nck_block_in_t *pushed, 
     const double turns = nck_fabs((double)pushed->turns);
     for (unsigned k = 0; k < 2; k++) {
         const int64_t origin_nm = self->place.origin_nm[axes[k]];
-        const int64_t centre_nm = (int64_t)nck_floor(pushed->centre[k] * 1e6 + 0.5);
-        course->c[k] = mm(origin_nm + centre_nm - self->place.position_nm[axes[k]]);
+        const int64_t centre_nm = nck_nm_of(pushed->centre[k]);
+        course->c[k] = nck_mm_of(origin_nm + centre_nm - self->place.position_nm[axes[k]]);
     }
     course->more = (turns - 1.0) * 2.0 * NCK_PI;
 }
@@ -291,7 +284,7 @@ static nck_status_t turn_over(nck_decode_t *self, course_t *course) {
     double unit[2] = {1.0, 1.0};
     const double scale = nck_layout_way(self, unit);
     const int even = nck_fabs(scale) > 0.0;
-    const int absolute = self->modal.centre_absolute && !has(self, 'R');
+    const int absolute = self->modal.centre_absolute && !nck_has_word(self, 'R');
     if (!even || absolute) return fail_arc(self, NCK_E_LAYOUT_ON, absolute ? 1.0 : 0.0, 0.0);
     if (scale < 0.0) course->turn = -course->turn;
     return NCK_OK;
@@ -308,9 +301,9 @@ nck_status_t nck_decode_arc(nck_decode_t *self, const nck_block_in_t *pushed,
         status = turn_over(self, &course);
         if (status != NCK_OK) return status;
     }
-    course.d[0] = mm(target_nm[course.u] - self->place.position_nm[course.u]);
-    course.d[1] = mm(target_nm[course.v] - self->place.position_nm[course.v]);
-    if (!pushed && has(self, 'R')) return arc_by_radius(self, &course, target_nm, out);
+    course.d[0] = nck_mm_of(target_nm[course.u] - self->place.position_nm[course.u]);
+    course.d[1] = nck_mm_of(target_nm[course.v] - self->place.position_nm[course.v]);
+    if (!pushed && nck_has_word(self, 'R')) return arc_by_radius(self, &course, target_nm, out);
     if (pushed) take_centre(self, pushed, &course);
     else status = read_centre(self, &course);
     return status == NCK_OK ? arc_about(self, &course, target_nm, out) : status;

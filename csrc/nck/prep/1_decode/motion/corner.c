@@ -8,7 +8,7 @@
 #include "nck/prep/1_decode/number/number.h" // nck_decode_as_word nck_decode_counts_of …
 #include "nck/prep/1_decode/place/place.h" // nck_layout_way
 #include "nck/base/arc_math.h" // nck_arc_norm
-#include "nck/base/real.h" // nck_fabs nck_floor
+#include "nck/base/real.h" // nck_fabs nck_mm_of nck_nm_of
 
 #include <string.h> // memcpy
 
@@ -52,7 +52,7 @@ void nck_corner_keep(nck_decode_t *self, char letter, unsigned column,
 }
 
 int nck_corner_speaks(const nck_decode_t *self) {
-    return NCK_HAS_CYCLES && self->machine->dialect.base == NCK_DIALECT_FANUC;
+    return NCK_HAS_CYCLES && nck_is_fanuc(self);
 }
 
 uint32_t nck_corner_letters(nck_decode_t *self, uint32_t letters) {
@@ -83,8 +83,6 @@ static void choose_plane(const nck_block_t *block, unsigned *axes) {
     axes[1] = block->plane == 17 ? NCK_AXIS_Y : block->plane == 18 ? NCK_AXIS_X : NCK_AXIS_Z;
 }
 
-static double mm(int64_t value_nm) { return (double)value_nm / 1e6; }
-
 // Where a block ends as a machine position.
 static void end_of(const nck_block_t *block, int64_t *out_nm) {
     memcpy(out_nm, block->target_nm, sizeof block->target_nm);
@@ -113,8 +111,8 @@ static int make_edge(const nck_block_t *block, const int64_t *from_nm, const int
     if (!is_flat(axes, from_nm, to_nm)) return 0;
     for (unsigned k = 0; k < 2; k++) {
         const int64_t tool_nm = block->tool_nm[axes[k]];
-        way[k] = mm(to_nm[axes[k]] - from_nm[axes[k]]);
-        out->centre[k] = block->centre_mm[k] - mm(corner_nm[axes[k]] - tool_nm);
+        way[k] = nck_mm_of(to_nm[axes[k]] - from_nm[axes[k]]);
+        out->centre[k] = block->centre_mm[k] - nck_mm_of(corner_nm[axes[k]] - tool_nm);
     }
     if (block->kind == NCK_BLOCK_ARC) {
         const double sense = block->sweep_rad > 0.0 ? 1.0 : -1.0;
@@ -148,16 +146,14 @@ static int is_sign_good(const nck_corner_t *corner, const nck_edge_t *edges) {
     return lines && square && axis && corner->size * way[along] > 0.0;
 }
 
-static int64_t nm_of(double place) { return (int64_t)nck_floor(place * 1e6 + 0.5); }
-
 // An arc from one place to another: its own circle passes through both.
 static void bend(nck_block_t *block, const int64_t *from_nm) {
     unsigned axes[2];
     double d[2], c[2];
     choose_plane(block, axes);
     for (unsigned k = 0; k < 2; k++) {
-        const double start = mm(from_nm[axes[k]] - block->tool_nm[axes[k]]);
-        d[k] = mm(block->target_nm[axes[k]]) - start;
+        const double start = nck_mm_of(from_nm[axes[k]] - block->tool_nm[axes[k]]);
+        d[k] = nck_mm_of(block->target_nm[axes[k]]) - start;
         c[k] = block->centre_mm[k] - start;
     }
     if (!(nck_arc_norm(d[0], d[1]) > 0.0)) {
@@ -169,7 +165,7 @@ static void bend(nck_block_t *block, const int64_t *from_nm) {
     block->sweep_rad = nck_arc_sweep(nck_arc_norm(d[0], d[1]), height, turn);
     nck_arc_centre(d[0], d[1], height, c);
     for (unsigned k = 0; k < 2; k++) {
-        block->centre_mm[k] = c[k] + mm(from_nm[axes[k]] - block->tool_nm[axes[k]]);
+        block->centre_mm[k] = c[k] + nck_mm_of(from_nm[axes[k]] - block->tool_nm[axes[k]]);
     }
 }
 
@@ -183,7 +179,7 @@ static void make_piece(nck_corner_t *corner, const nck_cut_t *cut, const int64_t
     piece->kind = (uint8_t)(rounds ? NCK_BLOCK_ARC : NCK_BLOCK_LINE);
     piece->sweep_rad = rounds ? cut->turn : 0.0;
     for (unsigned k = 0; k < 2; k++) {
-        const double apex_mm = mm(corner_nm[axes[k]] - piece->tool_nm[axes[k]]);
+        const double apex_mm = nck_mm_of(corner_nm[axes[k]] - piece->tool_nm[axes[k]]);
         piece->centre_mm[k] = rounds ? apex_mm + cut->centre[k] : 0.0;
         piece->target_nm[axes[k]] = to_nm[axes[k]] - piece->tool_nm[axes[k]];
     }
@@ -210,7 +206,7 @@ static nck_status_t join(nck_decode_t *self, nck_block_t *out) {
     for (unsigned k = 0; k < 2; k++) {
         memcpy(place_nm[k], corner_nm, sizeof corner_nm);
         for (unsigned axis = 0; axis < 2; axis++) {
-            place_nm[k][axes[axis]] += nm_of(cut.touch[k][axis]);
+            place_nm[k][axes[axis]] += nck_nm_of(cut.touch[k][axis]);
         }
     }
     for (unsigned k = 0; k < 2; k++) {
@@ -287,13 +283,13 @@ static nck_status_t hold(nck_decode_t *self, const nck_block_t *block) {
     }
     const int whole = nck_decode_fixed(self, &corner->word.number, &self->place.scale[0],
                                        &size_nm);
-    if (!whole || nck_fabs(mm(size_nm)) < size_least || nck_fabs(mm(size_nm)) > size_most) {
+    if (!whole || !nck_within(nck_fabs(nck_mm_of(size_nm)), size_least, size_most)) {
         return nck_decode_fail(self, NCK_E_NUMBER_RANGE, corner->column, corner->letter,
                                corner->size,
                                nck_decode_as_word(&self->place.scale[0], size_most * 1e6)
                                    * nck_decode_counts_of(self, &corner->word.number));
     }
-    corner->size = mm(size_nm);
+    corner->size = nck_mm_of(size_nm);
     corner->held = *block;
     corner->word.letter = 0;
     corner->phase = NCK_CORNER_WAITS;

@@ -6,20 +6,16 @@
 // two such places the one nearer to the corner counts.
 #include "nck/prep/1_decode/motion/fillet.h"
 #include "nck/prep/1_decode/motion/motion.h"
-#include "nck/base/arc_math.h" // nck_arc_norm
+#include "nck/base/arc_math.h" // nck_arc_inner nck_arc_norm nck_arc_outer
 #include "nck/base/real.h" // nck_fabs nck_sqrt
 #include "nck/base/trig.h" // nck_atan2
 
 static const double bend_least = 1e-6;  // sine of an angle that is a corner
 static const double near = 2e-6;        // [mm] two roundings to whole nanometres
 
-static double inner(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1]; }
-
-static double outer(const double *a, const double *b) { return a[0] * b[1] - a[1] * b[0]; }
-
 // The side of a corner: +1 left, −1 right, 0: it is none.
 static double side_of(const nck_edge_t *edges) {
-    const double bend = outer(edges[0].way, edges[1].way);
+    const double bend = nck_arc_outer(edges[0].way, edges[1].way);
     if (nck_fabs(bend) < bend_least) return 0.0;
     return bend > 0.0 ? 1.0 : -1.0;
 }
@@ -28,12 +24,13 @@ static double side_of(const nck_edge_t *edges) {
 static int is_on(const nck_edge_t *edge, const double *place, int last) {
     const double sense = last ? 1.0 : -1.0;
     if (!(edge->radius > 0.0)) {
-        const double ahead = sense * inner(place, edge->way);
+        const double ahead = sense * nck_arc_inner(place, edge->way);
         return ahead > -near && ahead < edge->length + near;
     }
     const double from[2] = {-edge->centre[0], -edge->centre[1]};
     const double to[2] = {place[0] - edge->centre[0], place[1] - edge->centre[1]};
-    const double angle = nck_atan2(sense * edge->turn * outer(from, to), inner(from, to));
+    const double turn = sense * edge->turn;
+    const double angle = nck_atan2(turn * nck_arc_outer(from, to), nck_arc_inner(from, to));
     const double ahead = angle < 0.0 ? angle + 2.0 * NCK_PI : angle;
     return ahead * edge->radius < edge->length * edge->radius + near;
 }
@@ -50,7 +47,7 @@ static void keep(double u, double v, double *out) {
 // Two parallels: the place p with p·n = r for the normals n of both.
 static int meet_lines(const nck_edge_t *edges, double offset, double *out) {
     const double *const a = edges[0].way, *const b = edges[1].way;
-    const double per = offset / outer(a, b); // n is a way turned by +90°
+    const double per = offset / nck_arc_outer(a, b); // n is a way turned by +90°
     keep(per * (b[0] - a[0]), per * (b[1] - a[1]), out);
     return 1;
 }
@@ -60,8 +57,8 @@ static int meet_line(const nck_edge_t *line, double offset, const double *centre
                      double *out) {
     const double foot[2] = {-line->way[1] * offset, line->way[0] * offset};
     const double from[2] = {foot[0] - centre[0], foot[1] - centre[1]};
-    const double along = inner(from, line->way);
-    const double rest = along * along - inner(from, from) + rho * rho;
+    const double along = nck_arc_inner(from, line->way);
+    const double rest = along * along - nck_arc_inner(from, from) + rho * rho;
     if (!(rest >= 0.0)) return 0;
     const double root = nck_sqrt(rest);
     const double s = along > 0.0 ? root - along : -root - along; // of the smaller magnitude
@@ -101,7 +98,7 @@ static int find_centre(const nck_edge_t *edges, double r, double side, double *o
 // Where the circle about c touches the edge.
 static void touch(const nck_edge_t *edge, const double *c, double *out) {
     if (!(edge->radius > 0.0)) {
-        const double ahead = inner(c, edge->way);
+        const double ahead = nck_arc_inner(c, edge->way);
         keep(ahead * edge->way[0], ahead * edge->way[1], out);
         return;
     }
@@ -119,7 +116,7 @@ int nck_fillet(const nck_edge_t *edges, double radius, nck_cut_t *out) {
     for (unsigned k = 0; k < 2; k++) touch(&edges[k], c, out->touch[k]);
     const double from[2] = {out->touch[0][0] - c[0], out->touch[0][1] - c[1]};
     const double to[2] = {out->touch[1][0] - c[0], out->touch[1][1] - c[1]};
-    return out->turn * outer(from, to) > 0.0 && both_on(edges, out);
+    return out->turn * nck_arc_outer(from, to) > 0.0 && both_on(edges, out);
 }
 
 // The place on the edge that is `size` away from the corner. sense: −1: before it. Returns 0 if

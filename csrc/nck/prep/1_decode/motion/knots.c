@@ -16,7 +16,7 @@ enum { FANUC_ORDER = 4, ORDER_LEAST = 2 };
 
 static nck_status_t fail(nck_decode_t *self, nck_status_t code, int letter, double value,
                          double limit) {
-    const int at = letter >= 'A' && (self->words.letters & NCK_LETTER(letter)) != 0;
+    const int at = letter >= 'A' && nck_has_word(self, letter);
     if (at) return nck_decode_fail_word(self, code, letter, value, limit);
     return nck_decode_fail_step(self, code, NCK_STEP_MOTION, letter, value, limit);
 }
@@ -64,11 +64,6 @@ static nck_status_t check_axes(nck_decode_t *self) {
                 0.0);
 }
 
-// 1 if a place is where the axes stand.
-static int is_here(const nck_decode_t *self, const int64_t *place_nm) {
-    return memcmp(place_nm, self->place.position_nm, sizeof self->place.position_nm) == 0;
-}
-
 static nck_status_t add_point(nck_decode_t *self) {
     nck_spline_t *const spline = &self->held.spline;
     nck_element_t *const point = &self->held.contour.element[spline->points];
@@ -83,7 +78,8 @@ static nck_status_t add_point(nck_decode_t *self) {
     }
     if (status != NCK_OK) return status;
     if (!(weight > 0.0)) return fail(self, NCK_E_NUMBER_RANGE, 'R', weight, NCK_LINEAR_MAX_MM);
-    if (spline->points == 0 && !is_here(self, place_nm)) {
+    const int64_t *const here_nm = self->place.position_nm;
+    if (spline->points == 0 && memcmp(place_nm, here_nm, sizeof self->place.position_nm) != 0) {
         return fail(self, NCK_E_SPLINE, 'P', 6.2, 0.0);
     }
     point->to_nm[0] = place_nm[0];

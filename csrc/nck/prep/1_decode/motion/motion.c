@@ -45,7 +45,7 @@ static nck_status_t fail_feed(nck_decode_t *self, int letter) {
 }
 
 nck_status_t nck_decode_cutting_feed(nck_decode_t *self, int rotary_alone, double *feed_out) {
-    const int said = (self->words.letters & NCK_LETTER('F')) != 0;
+    const int said = nck_has_word(self, 'F');
     if (self->modal.feed <= 0.0) return fail_feed(self, 'F');
     if (self->modal.feed_mode == NCK_FEED_INVERSE && !said) return fail_feed(self, 'F');
     const int per_rev = self->modal.feed_mode == NCK_FEED_PER_REV;
@@ -165,7 +165,7 @@ static nck_status_t find_home(nck_decode_t *self, const int64_t **home_out) {
     const nck_number_t *const word = &self->words.number['P' - 'A'];
     const int first = self->words.code[NCK_STEP_OFFSET] == 280;
     int64_t point = 2;
-    const int said = !first && (self->words.letters & NCK_LETTER('P')) != 0;
+    const int said = !first && nck_has_word(self, 'P');
     if (first) point = 1;
     if (said && (!nck_number_whole(word, 0, &point) || point < 2 || point > POINT_MOST)) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'P', nck_number_real(word),

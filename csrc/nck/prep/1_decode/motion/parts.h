@@ -4,6 +4,22 @@
 #define NCK_PREP_DECODE_MOTION_PARTS_H
 
 #include "nck/prep/1_decode/motion/motion.h"
+#include "nck/prep/1_decode/state/state.h" // nck_decode_fail_step
+#include "nck/base/thread.h" // nck_thread_ramp
+
+// As nck_decode_fail_step at the line's motion. Cost: constant.
+static inline nck_status_t nck_motion_fail(nck_decode_t *self, nck_status_t code, int letter,
+                                           double value, double limit) {
+    return nck_decode_fail_step(self, code, NCK_STEP_MOTION, letter, value, limit);
+}
+
+// NCK_E_THREAD_RUN_IN: a pass of no length, or a hole of no depth, at the speed v [mm/s]; letter:
+// the word that says so. Cost: constant.
+static inline nck_status_t nck_motion_fail_empty(nck_decode_t *self, double v, char letter) {
+    nck_ramp_t ramp;
+    nck_thread_ramp(v, self->machine->path.a_max, self->machine->path.j_max, &ramp);
+    return nck_motion_fail(self, NCK_E_THREAD_RUN_IN, letter, 2.0 * ramp.length, 0.0);
+}
 
 // ---- arc.c
 

@@ -6,7 +6,7 @@
 #include "nck/prep/1_decode/number/number.h" // nck_decode_write nck_number_read nck_number_real
 #include "nck/prep/1_decode/place/place.h" // nck_turned_place
 #include "nck/prep/1_decode/macro/macro.h" // nck_decode_skip nck_decode_value
-#include "nck/base/real.h" // nck_floor nck_sincos nck_atan2 nck_sqrt
+#include "nck/base/real.h" // nck_sincos nck_atan2 nck_sqrt nck_rounded
 
 #include <stddef.h> // NULL
 
@@ -61,7 +61,7 @@ static void write_words(nck_decode_t *self) {
     nck_sincos(words->polar_at[1] * degree, &way[1], &way[0]);
     for (unsigned axis = 0; axis < 2; axis++) {
         const double place_nm = words->polar_at[0] * way[axis] * (double)NCK_COUNTS_PER_MM;
-        int64_t value_nm = (int64_t)nck_floor(place_nm + 0.5);
+        int64_t value_nm = nck_rounded(place_nm);
         if (nck_motion_adds(self)) value_nm -= here_nm(self, axis);
         nck_decode_write(self, axis, value_nm, &words->number[first + axis]);
         words->column[first + axis] = words->polar_column;

@@ -23,11 +23,6 @@ static nck_status_t check_contact(nck_decode_t *self, const int64_t *target_nm, 
     return touches || self->session.before ? NCK_OK : fail(self, NCK_E_PROBE, 'G', code / 10.0);
 }
 
-static nck_status_t check_modes(nck_decode_t *self) {
-    if (self->modal.feed_mode == NCK_FEED_PER_REV) return fail(self, NCK_E_PROBE, 'G', 95.0);
-    return nck_decode_cycle_fits(self);
-}
-
 static nck_status_t go(nck_decode_t *self, int touches, nck_block_t *out) {
     int64_t target_nm[NCK_AXIS_MAX];
     if (self->words.axes == 0) {
@@ -35,7 +30,8 @@ static nck_status_t go(nck_decode_t *self, int touches, nck_block_t *out) {
     }
     nck_decode_assume(self, NCK_NOTE_UNITS);
     nck_decode_assume(self, NCK_NOTE_DISTANCE);
-    nck_status_t status = check_modes(self);
+    if (self->modal.feed_mode == NCK_FEED_PER_REV) return fail(self, NCK_E_PROBE, 'G', 95.0);
+    nck_status_t status = nck_decode_cycle_fits(self);
     if (status == NCK_OK) status = nck_decode_target(self, 0, target_nm);
     if (status != NCK_OK) return status;
     const nck_status_t contact = check_contact(self, target_nm, touches);

@@ -5,7 +5,7 @@
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail
 #include "nck/prep/1_decode/number/number.h" // nck_decode_axis_word nck_decode_write …
 #include "nck/prep/1_decode/place/place.h" // nck_plane_axes
-#include "nck/base/real.h" // nck_fabs nck_floor nck_sincos
+#include "nck/base/real.h" // nck_fabs nck_sincos nck_rounded
 
 static const double degree = 3.14159265358979323846 / 180.0;
 static const double angle_most = 360.0;
@@ -55,7 +55,7 @@ static nck_status_t write_other(nck_decode_t *self, unsigned said, unsigned othe
     if (!(nck_fabs(up) < most * nck_fabs(along))) {
         return fail(self, NCK_E_NUMBER_RANGE, words->polar_step[1], angle_most);
     }
-    int64_t value_nm = (int64_t)nck_floor(up / along + 0.5);
+    int64_t value_nm = nck_rounded(up / along);
     if (!adds) value_nm += self->place.position_nm[other] - self->place.origin_nm[other];
     nck_decode_write(self, other, value_nm, &words->number[place]);
     words->column[place] = words->polar_column;

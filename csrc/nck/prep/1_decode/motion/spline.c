@@ -6,7 +6,7 @@
 #include "nck/prep/1_decode/state/state.h" // nck_decode_assume nck_decode_block …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_length_word nck_decode_letter …
 #include "nck/prep/1_decode/place/place.h" // nck_decode_target nck_layout_way
-#include "nck/base/real.h" // nck_floor nck_min nck_max nck_sqrt nck_fabs
+#include "nck/base/real.h" // nck_floor nck_min nck_max nck_sqrt nck_fabs nck_rounded
 
 #include <string.h> // memcpy memset
 
@@ -16,15 +16,6 @@ enum { DEFAULT_ORDER = 3, HALVINGS = 24, SAMPLES = 4 };
 typedef struct weighted {
     double x, y, z, w;
 } weighted_t;
-
-static int says(const nck_decode_t *self, char letter) {
-    return (self->words.letters & NCK_LETTER(letter)) != 0;
-}
-
-static nck_status_t fail(nck_decode_t *self, nck_status_t code, int letter, double value,
-                         double limit) {
-    return nck_decode_fail_step(self, code, NCK_STEP_MOTION, letter, value, limit);
-}
 
 // ---- the curve
 
@@ -105,8 +96,6 @@ static int is_flat(const nck_decode_t *self, double u, double v) {
     return 1;
 }
 
-static int64_t rounded(double x) { return (int64_t)nck_floor(x + 0.5); }
-
 // The end of the next chord: it does not pass a knot.
 static double step_on(nck_decode_t *self) {
     nck_spline_t *const spline = &self->held.spline;
@@ -139,7 +128,7 @@ static nck_status_t chord(nck_decode_t *self, nck_block_t *out) {
     point_at(self, spline->at, at);
     nck_status_t status = NCK_OK;
     for (unsigned axis = 0; axis < axes_of(spline) && status == NCK_OK; axis++) {
-        const int64_t place_nm = spline->works ? rounded(at[axis]) : last_nm[axis];
+        const int64_t place_nm = spline->works ? nck_rounded(at[axis]) : last_nm[axis];
         self->place.position_nm[axis] = place_nm;
         status = nck_decode_travel(self, axis, place_nm);
     }
@@ -170,11 +159,13 @@ static void add_point(nck_decode_t *self, const int64_t *place_nm, double weight
 static nck_status_t add_beside(nck_decode_t *self, const int64_t *from_nm, char x, char y) {
     int64_t place_nm[2] = {0, 0};
     nck_status_t status = NCK_OK;
-    if (says(self, x)) status = nck_decode_length_word(self, x, &place_nm[0]);
-    if (status == NCK_OK && says(self, y)) status = nck_decode_length_word(self, y, &place_nm[1]);
+    if (nck_has_word(self, x)) status = nck_decode_length_word(self, x, &place_nm[0]);
+    if (status == NCK_OK && nck_has_word(self, y)) {
+        status = nck_decode_length_word(self, y, &place_nm[1]);
+    }
     double way[2] = {(double)place_nm[0], (double)place_nm[1]};
     if (self->layout.on != 0) (void)nck_layout_way(self, way);
-    for (unsigned k = 0; k < 2; k++) place_nm[k] = from_nm[k] + (int64_t)nck_floor(way[k] + 0.5);
+    for (unsigned k = 0; k < 2; k++) place_nm[k] = from_nm[k] + nck_rounded(way[k]);
     add_point(self, place_nm, 1.0);
     return status;
 }
@@ -182,11 +173,13 @@ static nck_status_t add_beside(nck_decode_t *self, const int64_t *from_nm, char 
 // In X and Y, and nothing else moves.
 static nck_status_t read_target(nck_decode_t *self, int64_t *target_nm) {
     const uint32_t others = self->words.axes & ~3u;
-    if (self->modal.plane != 17) return fail(self, NCK_E_SPLINE, 'G', self->modal.plane, 17.0);
+    if (self->modal.plane != 17) {
+        return nck_motion_fail(self, NCK_E_SPLINE, 'G', self->modal.plane, 17.0);
+    }
     if (others != 0) {
         unsigned axis = 2;
         while (!(others >> axis & 1u)) axis++;
-        return fail(self, NCK_E_SPLINE, nck_decode_letter(axis), 0.0, 0.0);
+        return nck_motion_fail(self, NCK_E_SPLINE, nck_decode_letter(axis), 0.0, 0.0);
     }
     nck_decode_assume(self, NCK_NOTE_UNITS);
     nck_decode_assume(self, NCK_NOTE_DISTANCE);
@@ -194,9 +187,10 @@ static nck_status_t read_target(nck_decode_t *self, int64_t *target_nm) {
 }
 
 static nck_status_t need(nck_decode_t *self, char a, char b) {
-    const char missing = !says(self, a) ? a : b;
-    if (says(self, a) && says(self, b)) return NCK_OK;
-    return fail(self, NCK_E_WORD_MISSING, missing, self->words.code[NCK_STEP_MOTION] / 10.0, 0.0);
+    const char missing = !nck_has_word(self, a) ? a : b;
+    if (nck_has_word(self, a) && nck_has_word(self, b)) return NCK_OK;
+    return nck_motion_fail(self, NCK_E_WORD_MISSING, missing,
+                           self->words.code[NCK_STEP_MOTION] / 10.0, 0.0);
 }
 
 // All points are said: the first chord can be made.
@@ -219,7 +213,7 @@ static nck_status_t begin(nck_decode_t *self, uint32_t order) {
 // G5: I J from the start, P Q from the end; without I and J it goes on as the G5 before.
 static nck_status_t cubic(nck_decode_t *self) {
     nck_spline_t *const spline = &self->held.spline;
-    const int goes_on = !says(self, 'I') && !says(self, 'J');
+    const int goes_on = !nck_has_word(self, 'I') && !nck_has_word(self, 'J');
     const int64_t *const from_nm = self->place.position_nm;
     int64_t target_nm[NCK_AXIS_MAX];
     spline->points = 0;
@@ -286,7 +280,7 @@ static nck_status_t control_point(nck_decode_t *self) {
     if (status == NCK_OK) status = read_target(self, target_nm);
     if (status != NCK_OK) return status;
     if (spline->points + 2 > NCK_CONTOUR) {
-        return fail(self, NCK_E_CONTOUR_FULL, 0, NCK_CONTOUR, NCK_CONTOUR);
+        return nck_motion_fail(self, NCK_E_CONTOUR_FULL, 0, NCK_CONTOUR, NCK_CONTOUR);
     }
     if (first) {
         nck_spline_begins(self);
@@ -298,9 +292,9 @@ static nck_status_t control_point(nck_decode_t *self) {
 
 static nck_status_t end(nck_decode_t *self) {
     const nck_spline_t *const spline = &self->held.spline;
-    if (spline->points == 0) return fail(self, NCK_E_SPLINE, 'G', 5.3, 0.0);
+    if (spline->points == 0) return nck_motion_fail(self, NCK_E_SPLINE, 'G', 5.3, 0.0);
     if (spline->points < spline->order) {
-        return fail(self, NCK_E_SPLINE, 'L', spline->points, spline->order);
+        return nck_motion_fail(self, NCK_E_SPLINE, 'L', spline->points, spline->order);
     }
     return begin(self, spline->order);
 }
@@ -319,7 +313,9 @@ static nck_status_t read_spline(nck_decode_t *self) {
     spline->knots = 0;
     if (code == NCK_MOTION_NURBS) return control_point(self);
     if (code == NCK_MOTION_NURBS_END) return refused && spline->points == 0 ? NCK_OK : end(self);
-    if (self->words.axes == 0) return fail(self, NCK_E_WORD_MISSING, 'X', code / 10.0, 0.0);
+    if (self->words.axes == 0) {
+        return nck_motion_fail(self, NCK_E_WORD_MISSING, 'X', code / 10.0, 0.0);
+    }
     return code == NCK_MOTION_CUBIC ? cubic(self) : quadratic(self);
 }
 

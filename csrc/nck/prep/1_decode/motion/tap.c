@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A tapped hole: can it be made, and its block. G33.1, and the holes of G84 and G74.
-#include "nck/prep/1_decode/motion/motion.h"
+#include "nck/prep/1_decode/motion/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_assume nck_decode_block …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_travel
 #include "nck/prep/1_decode/place/place.h" // nck_decode_target
@@ -9,21 +9,9 @@
 
 #define SECONDS 60.0
 
-static nck_status_t fail(nck_decode_t *self, nck_status_t code, int letter, double value,
-                         double limit) {
-    return nck_decode_fail_step(self, code, NCK_STEP_MOTION, letter, value, limit);
-}
-
 static int is_empty(const nck_tap_t *tap) {
     const double way = nck_fabs(tap->way[0]) + nck_fabs(tap->way[1]) + nck_fabs(tap->way[2]);
     return !(way > 0.0);
-}
-
-// A hole of no depth.
-static nck_status_t fail_empty(nck_decode_t *self, double v) {
-    nck_ramp_t ramp;
-    nck_thread_ramp(v, self->machine->path.a_max, self->machine->path.j_max, &ramp);
-    return fail(self, NCK_E_THREAD_RUN_IN, 'R', 2.0 * ramp.length, 0.0);
 }
 
 nck_status_t nck_decode_tap(nck_decode_t *self, const int64_t *bottom_nm, double lead,
@@ -37,12 +25,13 @@ nck_status_t nck_decode_tap(nck_decode_t *self, const int64_t *bottom_nm, double
     for (unsigned axis = 0; axis < 3; axis++) {
         tap.way[axis] = (double)(bottom_nm[axis] - self->place.position_nm[axis]) * 1e-6;
     }
-    if (is_empty(&tap)) return fail_empty(self, v);
+    if (is_empty(&tap)) return nck_motion_fail_empty(self, v, 'R');
     const double most = nck_tap_speed_most(self->machine, &tap);
-    if (v > most) return fail(self, NCK_E_THREAD_SPEED, 'F', v, most);
+    if (v > most) return nck_motion_fail(self, NCK_E_THREAD_SPEED, 'F', v, most);
     nck_tap_plan(self->machine, &tap, rpm, &pass, &back);
     if (pass.cruise < 0.0) {
-        return fail(self, NCK_E_THREAD_RUN_IN, 'R', pass.ramp.length + back.length, pass.length);
+        return nck_motion_fail(self, NCK_E_THREAD_RUN_IN, 'R', pass.ramp.length + back.length,
+                               pass.length);
     }
     tap.duration = (float)(pass.total + 0.5 * SECONDS / rpm);
     nck_decode_block(self, NCK_BLOCK_TAP, out);
@@ -57,7 +46,7 @@ nck_status_t nck_decode_single_tap(nck_decode_t *self, nck_block_t *out) {
     double lead = 0.0;
     int moves = 0;
     self->modal.motion = NCK_MOTION_TAP;
-    if (self->words.axes == 0) return fail(self, NCK_E_WORD_MISSING, 'Z', 33.1, 0.0);
+    if (self->words.axes == 0) return nck_motion_fail(self, NCK_E_WORD_MISSING, 'Z', 33.1, 0.0);
     nck_decode_assume(self, NCK_NOTE_UNITS);
     nck_decode_assume(self, NCK_NOTE_DISTANCE);
     nck_status_t status = nck_decode_lead(self, 'K', &lead);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A pass of a thread: can it be made, and its block. G33 and G32.
-#include "nck/prep/1_decode/motion/motion.h"
+#include "nck/prep/1_decode/motion/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_assume nck_decode_block …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_travel nck_number_real
 #include "nck/prep/1_decode/tongue/tongue.h" // nck_lathe_is_a
@@ -13,11 +13,6 @@
 #define SECONDS 60.0
 #define Q_TURN 360000.0 // Fanuc: Q in thousandths of a degree
 #define RPM_LEAST 0.001 // a spindle as good as stands if it turns slower [1/min]
-
-static nck_status_t fail(nck_decode_t *self, nck_status_t code, int letter, double value,
-                         double limit) {
-    return nck_decode_fail_step(self, code, NCK_STEP_MOTION, letter, value, limit);
-}
 
 double nck_decode_thread_name(const nck_decode_t *self) {
     const uint16_t code = self->words.code[NCK_STEP_MOTION];
@@ -37,16 +32,9 @@ static void machine_mm(const nck_decode_t *self, const int64_t *at_nm, double *a
 nck_status_t nck_decode_thread_fits(nck_decode_t *self) {
     const nck_status_t status = nck_decode_cycle_fits(self);
     if (status != NCK_OK) return status;
-    if (self->modal.surface_on) return fail(self, NCK_E_THREAD_SPEED, 'G', 96.0, 0.0);
+    if (self->modal.surface_on) return nck_motion_fail(self, NCK_E_THREAD_SPEED, 'G', 96.0, 0.0);
     if (nck_decode_turns(self) && self->modal.speed >= RPM_LEAST) return NCK_OK;
-    return fail(self, NCK_E_THREAD_SPEED, 'S', 0.0, 0.0);
-}
-
-// A pass of no length.
-static nck_status_t fail_empty(nck_decode_t *self, double v) {
-    nck_ramp_t ramp;
-    nck_thread_ramp(v, self->machine->path.a_max, self->machine->path.j_max, &ramp);
-    return fail(self, NCK_E_THREAD_RUN_IN, 'Z', 2.0 * ramp.length, 0.0);
+    return nck_motion_fail(self, NCK_E_THREAD_SPEED, 'S', 0.0, 0.0);
 }
 
 // Does the spindle's speed leave the axes their limits, and is there room to run in and out?
@@ -54,13 +42,14 @@ static nck_status_t check_pass(nck_decode_t *self, const double *start, const do
                                nck_thread_t *thread) {
     const double rpm = self->modal.speed;
     const double v = thread->lead * rpm / SECONDS;
-    if (!(thread->length > 0.0)) return fail_empty(self, v);
+    if (!(thread->length > 0.0)) return nck_motion_fail_empty(self, v, 'Z');
     const double most = nck_thread_speed_most(self->machine, start, end, thread);
     nck_pass_t pass;
-    if (v > most) return fail(self, NCK_E_THREAD_SPEED, 'F', v, most);
+    if (v > most) return nck_motion_fail(self, NCK_E_THREAD_SPEED, 'F', v, most);
     nck_thread_plan(self->machine, start, end, thread, rpm, &pass);
     if (pass.cruise < 0.0) {
-        return fail(self, NCK_E_THREAD_RUN_IN, 'Z', 2.0 * pass.ramp.length, thread->length);
+        return nck_motion_fail(self, NCK_E_THREAD_RUN_IN, 'Z', 2.0 * pass.ramp.length,
+                               thread->length);
     }
     thread->duration = (float)(pass.total + 0.5 * SECONDS / rpm);
     return NCK_OK;
@@ -100,13 +89,13 @@ nck_status_t nck_decode_pass(nck_decode_t *self, const int64_t *end_nm, nck_thre
 nck_status_t nck_decode_lead(nck_decode_t *self, char letter, double *lead_out) {
     const double unit = self->modal.inch ? 25.4 : 1.0;
     const double word = nck_number_real(&self->words.number[letter - 'A']);
-    const int said = (self->words.letters & NCK_LETTER(letter)) != 0;
+    const int said = nck_has_word(self, letter);
     if (!said && letter == 'F' && self->held.screw.lead > 0.0) {
         *lead_out = self->held.screw.lead;
         return NCK_OK;
     }
     if (!said) {
-        return fail(self, NCK_E_WORD_MISSING, letter, nck_decode_thread_name(self), 0.0);
+        return nck_motion_fail(self, NCK_E_WORD_MISSING, letter, nck_decode_thread_name(self), 0.0);
     }
     *lead_out = word * unit;
     self->held.screw.lead = *lead_out;

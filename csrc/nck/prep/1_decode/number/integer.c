@@ -30,18 +30,18 @@ int nck_decode_says_point(const nck_decode_t *self, int letter) {
 int nck_decode_asks_integers(const nck_decode_t *self) {
     const uint32_t integers = self->machine->dialect.integers;
     const int noted = (self->finding.notes & 1u << NCK_NOTE_INTEGERS) != 0;
-    if (self->machine->dialect.base != NCK_DIALECT_FANUC) return 0;
+    if (!nck_is_fanuc(self)) return 0;
     return integers == NCK_INTEGERS_INCREMENTS || (integers == NCK_INTEGERS_OPEN && !noted);
 }
 
 int nck_decode_asks_unit(const nck_decode_t *self, int letter) {
-    return self->machine->dialect.base == NCK_DIALECT_FANUC
+    return nck_is_fanuc(self)
            && self->machine->dialect.integers == NCK_INTEGERS_OPEN
            && is_integer(self, word_of(self, letter));
 }
 
 double nck_decode_counts_of(const nck_decode_t *self, const nck_number_t *word) {
-    const int counts = self->machine->dialect.base == NCK_DIALECT_FANUC
+    const int counts = nck_is_fanuc(self)
                        && self->machine->dialect.integers == NCK_INTEGERS_INCREMENTS;
     if (!counts || word->decimals != 0 || !is_integer(self, word)) return 1.0;
     return self->modal.inch ? 1e4 : 1e3;

@@ -25,6 +25,11 @@ int nck_number_fixed(const char *text, const nck_number_t *number, const nck_sca
 // beyond. Cost: constant, or linear in the digits of a long number. Context: prep.
 double nck_number_real(const nck_number_t *number);
 
+// The same of a word of the line. Cost: as that.
+static inline double nck_word_real(const nck_decode_t *self, char letter) {
+    return nck_number_real(&self->words.number[letter - 'A']);
+}
+
 // A number of so many tenths, which stands nowhere in the line. Cost: constant. Context: prep.
 void nck_number_tenths(int32_t tenths, nck_number_t *out);
 

@@ -46,7 +46,7 @@ static nck_status_t read_whole(nck_decode_t *self, int letter, int64_t most, int
 // Fanuc's H in place of D, where G43 does not have it.
 static int says_h(const nck_decode_t *self) {
     const int is_length = (self->words.codes & NCK_STEP(NCK_STEP_LENGTH)) != 0;
-    return self->machine->dialect.base == NCK_DIALECT_FANUC && !is_length
+    return nck_is_fanuc(self) && !is_length
            && (self->words.letters & (NCK_LETTER('D') | NCK_LETTER('H'))) == NCK_LETTER('H');
 }
 
@@ -62,7 +62,7 @@ static nck_status_t read_tool(nck_decode_t *self, double *radius_out, int64_t *n
     if (number != 0 && !nck_table_find(self, (uint32_t)number, &tool)) {
         return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, letter, (double)number, 0.0);
     }
-    const int keeps = self->machine->dialect.base == NCK_DIALECT_FANUC
+    const int keeps = nck_is_fanuc(self)
                       && (self->words.letters & NCK_LETTER(letter));
     if (keeps) self->modal.offset_in = (int32_t)number;
     *radius_out = tool.radius_mm + tool.wear_mm;
@@ -89,14 +89,14 @@ static nck_status_t read_diameter(nck_decode_t *self, double *radius_out, int64_
 static uint32_t start_of(const nck_decode_t *self) {
     const uint32_t start = self->machine->dialect.comp_start;
     if (start != NCK_COMP_START_OPEN) return start;
-    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
+    const int fanuc = nck_is_fanuc(self);
     return fanuc ? NCK_COMP_START_A : NCK_COMP_START_RS274;
 }
 
 // The block that 2_toolcomp begins or ends at. radius: as NCK_BLOCK_COMP has it.
 static nck_status_t give(nck_decode_t *self, double radius, int64_t nose, nck_block_t *out) {
     const double size = radius < 0.0 ? -radius : radius;
-    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
+    const int fanuc = nck_is_fanuc(self);
     nck_decode_block(self, NCK_BLOCK_COMP, out);
     out->output.value = radius;
     out->output.number = start_of(self);
@@ -108,7 +108,7 @@ static nck_status_t give(nck_decode_t *self, double radius, int64_t nose, nck_bl
 // Fanuc changes the side without G40 between; the way across has the feed in force, and G93's is
 // that of one move.
 static int refuses(const nck_decode_t *self) {
-    const int fanuc = NCK_HAS_FOREIGN && self->machine->dialect.base == NCK_DIALECT_FANUC;
+    const int fanuc = NCK_HAS_FOREIGN && nck_is_fanuc(self);
     return self->modal.comp && (!fanuc || self->modal.feed_mode == NCK_FEED_INVERSE);
 }
 

@@ -5,7 +5,7 @@
 #include "nck/prep/1_decode/place/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail nck_decode_fail_code …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_as_word nck_decode_axis_word …
-#include "nck/base/real.h" // nck_floor nck_fabs nck_sqrt
+#include "nck/base/real.h" // nck_floor nck_fabs nck_sqrt nck_rounded
 #include "nck/base/trig_math.h" // nck_sincos nck_atan2 NCK_PI
 
 #include <string.h> // memcmp memcpy memset
@@ -18,17 +18,11 @@ void nck_plane_axes(const nck_decode_t *self, unsigned *u, unsigned *v) {
     *v = self->modal.plane == 17 ? NCK_AXIS_Y : self->modal.plane == 18 ? NCK_AXIS_X : NCK_AXIS_Z;
 }
 
-static int has_word(const nck_decode_t *self, int letter) {
-    return (self->words.letters & NCK_LETTER(letter)) != 0;
-}
-
 static nck_status_t fail(nck_decode_t *self, nck_status_t code, int letter, double value) {
     return nck_decode_fail_step(self, code, NCK_STEP_LAYOUT, letter, value, 0.0);
 }
 
 // ---- places
-
-static int64_t rounded(double x) { return (int64_t)nck_floor(x + 0.5); }
 
 static void turn(const nck_decode_t *self, double sine, double *place) {
     const nck_layout_t *const layout = &self->layout;
@@ -72,7 +66,7 @@ void nck_layout_where(const nck_decode_t *self, int64_t *at_nm) {
     }
     if (layout->on & NCK_LAYOUT_TURN) turn(self, -layout->sine, place);
     for (unsigned axis = 0; axis < 3; axis++) {
-        at_nm[axis] = rounded(unstretch(layout, axis, place[axis]));
+        at_nm[axis] = nck_rounded(unstretch(layout, axis, place[axis]));
     }
 }
 
@@ -105,8 +99,8 @@ static nck_status_t read_polar(nck_decode_t *self, int64_t *at_nm) {
     }
     const double whole = 360.0 * nck_floor(layout->angle / 360.0);
     nck_sincos((layout->angle - whole) * NCK_PI / 180.0, &sine, &cosine);
-    at_nm[u] = layout->pole_nm[0] + rounded(layout->radius * cosine);
-    at_nm[v] = layout->pole_nm[1] + rounded(layout->radius * sine);
+    at_nm[u] = layout->pole_nm[0] + nck_rounded(layout->radius * cosine);
+    at_nm[v] = layout->pole_nm[1] + nck_rounded(layout->radius * sine);
     return NCK_OK;
 }
 
@@ -152,7 +146,7 @@ nck_status_t nck_layout_target(nck_decode_t *self, int64_t *target_nm) {
                                      nck_decode_as_word(factor, far),
                                      nck_decode_as_word(factor, most));
         } else {
-            target_nm[axis] = self->place.origin_nm[axis] + rounded(place[axis]);
+            target_nm[axis] = self->place.origin_nm[axis] + nck_rounded(place[axis]);
         }
     }
     if (status != NCK_OK) return status;
@@ -202,7 +196,7 @@ nck_status_t nck_layout_spares(nck_decode_t *self, unsigned axis) {
 int nck_layout_says_radius(const nck_decode_t *self) {
     unsigned u, v;
     nck_plane_axes(self, &u, &v);
-    return has_word(self, nck_decode_letter(u));
+    return nck_has_word(self, nck_decode_letter(u));
 }
 
 // ---- codes
@@ -273,13 +267,13 @@ static nck_status_t read_factor(nck_decode_t *self, int letter, double *factor_o
 static nck_status_t read_factors(nck_decode_t *self, double *factor) {
     const uint32_t each = self->words.letters & NCK_LETTERS_CENTRE;
     nck_status_t status = NCK_OK;
-    if (has_word(self, 'P') && each) {
+    if (nck_has_word(self, 'P') && each) {
         return nck_decode_fail_word(self, NCK_E_WORD_SHARED, 'P', 0.0, 0.0);
     }
-    if (!has_word(self, 'P') && !each) return fail(self, NCK_E_WORD_MISSING, 'P', 51.0);
+    if (!nck_has_word(self, 'P') && !each) return fail(self, NCK_E_WORD_MISSING, 'P', 51.0);
     for (unsigned k = 0; k < 3 && status == NCK_OK; k++) {
         const int letter = each ? (int)('I' + k) : 'P';
-        if (has_word(self, letter)) status = read_factor(self, letter, &factor[k]);
+        if (nck_has_word(self, letter)) status = read_factor(self, letter, &factor[k]);
     }
     return status;
 }
@@ -294,7 +288,7 @@ static nck_status_t scale(nck_decode_t *self) {
     if (status == NCK_OK) status = read_centre(self, centre_nm);
     if (status != NCK_OK) return status;
     for (unsigned axis = 0; axis < 3; axis++) {
-        layout->centre_nm[axis] = rounded(stretch(layout, axis, (double)centre_nm[axis]));
+        layout->centre_nm[axis] = nck_rounded(stretch(layout, axis, (double)centre_nm[axis]));
     }
     memcpy(layout->scale, factor, sizeof factor);
     layout->on |= NCK_LAYOUT_SCALE;
@@ -333,7 +327,7 @@ static nck_status_t rotate(nck_decode_t *self) {
     unsigned u, v;
     nck_status_t status = check_order(self, NCK_LAYOUT_TURN, 68.0);
     if (status != NCK_OK) return status;
-    if (!has_word(self, 'R')) return fail(self, NCK_E_WORD_MISSING, 'R', 68.0);
+    if (!nck_has_word(self, 'R')) return fail(self, NCK_E_WORD_MISSING, 'R', 68.0);
     if (self->modal.incremental) return fail(self, NCK_E_INCREMENTAL, 'G', 68.0);
     if (!(nck_fabs(degrees) <= degrees_most)) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'R', nck_decode_said(self, 'R'),
@@ -342,8 +336,8 @@ static nck_status_t rotate(nck_decode_t *self) {
     status = read_centre(self, centre_nm);
     if (status != NCK_OK) return status;
     nck_plane_axes(self, &u, &v);
-    layout->turn_nm[0] = rounded(stretch(layout, u, (double)centre_nm[u]));
-    layout->turn_nm[1] = rounded(stretch(layout, v, (double)centre_nm[v]));
+    layout->turn_nm[0] = nck_rounded(stretch(layout, u, (double)centre_nm[u]));
+    layout->turn_nm[1] = nck_rounded(stretch(layout, v, (double)centre_nm[v]));
     const double whole = 360.0 * nck_floor(degrees / 360.0);
     nck_sincos((degrees - whole) * NCK_PI / 180.0, &layout->sine, &layout->cosine);
     layout->on |= NCK_LAYOUT_TURN;

@@ -44,8 +44,23 @@ static void take_length(nck_decode_t *self, const nck_tool_t *tool) {
     nck_decode_origin(self);
 }
 
+// Is a tool's offset in the table? NCK_EMPTY: it has none, as no tool has where there is no table.
+static nck_status_t find_length(nck_decode_t *self, int64_t number, nck_tool_t *tool_out) {
+    const int has_h = (self->words.letters & NCK_LETTER('H')) != 0;
+    if (number == 0) return NCK_EMPTY;
+    if (nck_table_find(self, (uint32_t)number, tool_out)) return NCK_OK;
+    if (self->machine->tool_count == 0) {
+        nck_decode_note_word(self, NCK_NOTE_LENGTH, 'H', (double)number);
+        return NCK_EMPTY;
+    }
+    if (has_h) return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'H', (double)number, 0.0);
+    return nck_decode_fail_step(self, NCK_E_TOOL_UNKNOWN, NCK_STEP_LENGTH, 'H', (double)number,
+                                0.0);
+}
+
 // G43 with H: the table's offset; without: of the tool in the spindle, but Fanuc's counts the last
-// H; H0, no tool and G49: none. G43.2 with H adds one.
+// H; H0, no tool and G49: none, and none where the machine has no table at all, which is noted.
+// G43.2 with H adds one.
 nck_status_t nck_decode_length(nck_decode_t *self, nck_block_t *out) {
     const nck_words_t *const words = &self->words;
     const int has_h = (words->letters & NCK_LETTER('H')) != 0;
@@ -55,16 +70,11 @@ nck_status_t nck_decode_length(nck_decode_t *self, nck_block_t *out) {
     if (code == 431) return set_length(self);
     const int needs_h = code == 432 || (code == 430 && self->tongue == NCK_TONGUE_FANUC);
     if (needs_h && !has_h) return fail_length(self);
-    const nck_status_t status = nck_decode_whole(self, 'H', NCK_DECODE_VALUE_MAX, number, &number);
-    if (status != NCK_OK) return status;
+    nck_status_t status = nck_decode_whole(self, 'H', NCK_DECODE_VALUE_MAX, number, &number);
     nck_tool_t tool;
-    const int is_there = nck_table_find(self, (uint32_t)number, &tool);
-    if (number != 0 && !is_there) {
-        if (has_h) return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'H', (double)number, 0.0);
-        return nck_decode_fail_step(self, NCK_E_TOOL_UNKNOWN, NCK_STEP_LENGTH, 'H', (double)number,
-                                    0.0);
-    }
-    take_length(self, number != 0 ? &tool : NULL);
+    if (status == NCK_OK) status = find_length(self, number, &tool);
+    if (status != NCK_OK && status != NCK_EMPTY) return status;
+    take_length(self, status == NCK_OK ? &tool : NULL);
     return NCK_EMPTY;
 }
 
@@ -126,7 +136,7 @@ static nck_status_t fail_missing(nck_decode_t *self, int letter) {
 
 // Fanuc's G92 while G52 is in force: which of them then counts goes by the control.
 static nck_status_t check_local(nck_decode_t *self) {
-    const int both = self->place.is_local && self->machine->dialect.base == NCK_DIALECT_FANUC;
+    const int both = self->place.is_local && nck_is_fanuc(self);
     if (!both) return NCK_OK;
     return nck_decode_fail_code(self, NCK_E_UNSUPPORTED, NCK_STEP_OFFSET);
 }
@@ -157,7 +167,7 @@ static nck_status_t rename_position(nck_decode_t *self) {
 // G52: the program's zero lies there in the work system. RS274NGC keeps it where G92 does; on
 // Fanuc's controls both would count, and what then holds goes by the control.
 static nck_status_t set_local(nck_decode_t *self) {
-    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
+    const int fanuc = nck_is_fanuc(self);
     int64_t g92_nm[NCK_AXIS_MAX];
     if (self->words.axes == 0) return fail_missing(self, 'X');
     if (fanuc && self->modal.incremental) {
@@ -180,7 +190,7 @@ static nck_status_t set_local(nck_decode_t *self) {
 
 // R turns a work system of RS274NGC by G10 L2. L20 in one that is turned is not built.
 static nck_status_t check_turn(nck_decode_t *self, int64_t list) {
-    const int turns = (self->words.letters & NCK_LETTER('R')) != 0;
+    const int turns = nck_has_word(self, 'R');
     const double degrees = turns ? nck_number_real(&self->words.number['R' - 'A']) : 0.0;
     const int here = list == NCK_LIST_WORK_HERE;
     const int builds = NCK_HAS_LAYOUTS && self->tongue == NCK_TONGUE_LINUXCNC && !here
@@ -236,7 +246,7 @@ static nck_status_t set_work(nck_decode_t *self, int64_t list) {
         work[axis] = list == NCK_LIST_WORK ? value : here + in_force[axis] - value;
     }
     memcpy(kept, work, sizeof work);
-    const int turns = (self->words.letters & NCK_LETTER('R')) != 0;
+    const int turns = nck_has_word(self, 'R');
     if (turns) nck_turned_set(self, row, nck_number_real(&self->words.number['R' - 'A']));
     return NCK_EMPTY;
 }

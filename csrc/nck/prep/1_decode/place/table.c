@@ -4,7 +4,7 @@
 #include "nck/prep/1_decode/place/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail_step nck_decode_fail_word …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_axis_word nck_decode_length_word …
-#include "nck/base/real.h" // nck_floor
+#include "nck/base/real.h" // nck_rounded
 
 #include <stddef.h> // NULL size_t
 
@@ -13,17 +13,11 @@ enum { FIELD_X, FIELD_Y, FIELD_Z, FIELD_RADIUS, FIELD_NOSE, FIELD_WEAR, FIELD_RA
 
 enum { L_ENTRY = 1, L_HERE = 10, L_FIXTURE = 11, L_RADIUS = 12, L_RADIUS_WEAR = 13 };
 
-static int is_fanuc(const nck_decode_t *self) {
-    return self->machine->dialect.base == NCK_DIALECT_FANUC;
-}
-
 static double changed(const nck_decode_t *self, uint32_t number, unsigned field,
                       double otherwise) {
     const double *const value = nck_variable_find(self, nck_variable_tool(number, field));
     return value != NULL ? *value : otherwise;
 }
-
-static int64_t whole(double value) { return (int64_t)nck_floor(value + 0.5); }
 
 int nck_table_find(const nck_decode_t *self, uint32_t number, nck_tool_t *tool_out) {
     const nck_tool_t *const entry = nck_decode_find_tool(self, number);
@@ -32,9 +26,9 @@ int nck_table_find(const nck_decode_t *self, uint32_t number, nck_tool_t *tool_o
     if (!NCK_HAS_VARIABLES) return 1;
     for (unsigned axis = 0; axis < 3; axis++) {
         const double offset = (double)entry->offset_nm[axis];
-        tool_out->offset_nm[axis] = whole(changed(self, number, FIELD_X + axis, offset));
+        tool_out->offset_nm[axis] = nck_rounded(changed(self, number, FIELD_X + axis, offset));
     }
-    tool_out->offset_nm[NCK_AXIS_Z] += whole(changed(self, number, FIELD_WEAR, 0.0));
+    tool_out->offset_nm[NCK_AXIS_Z] += nck_rounded(changed(self, number, FIELD_WEAR, 0.0));
     tool_out->radius_mm = changed(self, number, FIELD_RADIUS, entry->radius_mm);
     tool_out->wear_mm = changed(self, number, FIELD_RADIUS_WEAR, entry->wear_mm);
     tool_out->orientation = (uint32_t)changed(self, number, FIELD_NOSE, entry->orientation);
@@ -105,7 +99,7 @@ static nck_status_t set_length(nck_decode_t *self, uint32_t number, int64_t list
     }
     nck_status_t status = nck_decode_length_word(self, 'R', &value_nm);
     if (self->modal.incremental) {
-        const int64_t wear_nm = whole(changed(self, number, FIELD_WEAR, 0.0));
+        const int64_t wear_nm = nck_rounded(changed(self, number, FIELD_WEAR, 0.0));
         value_nm += field == FIELD_WEAR ? wear_nm : tool.offset_nm[NCK_AXIS_Z] - wear_nm;
     }
     if (status == NCK_OK) status = nck_decode_steps(self, NCK_AXIS_Z, 0, 0, &value_nm);
@@ -153,7 +147,7 @@ nck_status_t nck_table_lists(nck_decode_t *self, int64_t list) {
 static int stranger(const nck_decode_t *self) {
     const uint32_t fanuc = NCK_LETTERS_AXES | NCK_LETTER('Q');
     const uint32_t others = NCK_LETTERS_AXES & ~(uint32_t)NCK_LETTERS_XYZ;
-    const uint32_t left = self->words.letters & (is_fanuc(self) ? fanuc : others);
+    const uint32_t left = self->words.letters & (nck_is_fanuc(self) ? fanuc : others);
     for (int letter = 'A'; letter <= 'Z'; letter++) {
         if (left & NCK_LETTER(letter)) return letter;
     }
@@ -169,7 +163,7 @@ nck_status_t nck_table_set(nck_decode_t *self, int64_t list) {
     if (nck_decode_find_tool(self, (uint32_t)number) == NULL) {
         return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'P', (double)number, 0.0);
     }
-    if (is_fanuc(self)) {
+    if (nck_is_fanuc(self)) {
         if (self->words.letters & NCK_LETTER('R')) {
             status = list >= L_RADIUS ? set_radius(self, (uint32_t)number, list)
                                       : set_length(self, (uint32_t)number, list);

@@ -8,10 +8,6 @@
 #include "nck/base/real.h" // nck_floor
 #include "nck/base/trig_math.h" // nck_sincos NCK_PI
 
-static int is_turned(const nck_decode_t *self) {
-    return NCK_HAS_LAYOUTS && (self->layout.on & NCK_LAYOUT_SYSTEM) != 0;
-}
-
 double nck_turned_by(const nck_decode_t *self, uint32_t system) {
     return NCK_HAS_LAYOUTS && system < NCK_TURNED_ROWS ? self->place.turn_deg[system] : 0.0;
 }
@@ -47,7 +43,8 @@ void nck_decode_origin(nck_decode_t *self) {
 
 int64_t nck_turned_place(const nck_decode_t *self, unsigned axis) {
     int64_t at_nm[3];
-    if (axis >= 3 || !is_turned(self)) {
+    const int is_turned = NCK_HAS_LAYOUTS && (self->layout.on & NCK_LAYOUT_SYSTEM) != 0;
+    if (axis >= 3 || !is_turned) {
         return self->place.position_nm[axis] - self->place.origin_nm[axis];
     }
     nck_layout_where(self, at_nm);

@@ -97,10 +97,10 @@ typedef NCK_CYCLE_STATE nck_rough {
 } nck_rough_t;
 
 // A part of a contour that rises or falls all along.
-typedef struct nck_piece {
+typedef struct nck_slant {
     double a[2], d[2]; // its ends
     double ca, cd, r;  // circle; r 0: a line
     double turn;       // +1: from a towards d, −1
-} nck_piece_t;
+} nck_slant_t;
 
 #endif

@@ -16,7 +16,7 @@ nck_status_t nck_decode_fail_at(nck_decode_t *self, nck_status_t code, const cha
 
 nck_status_t nck_decode_fail_word(nck_decode_t *self, nck_status_t code, int letter, double value,
                                   double limit) {
-    const int said = (self->words.letters & NCK_LETTER(letter)) != 0; // not by a pushed block
+    const int said = nck_has_word(self, letter); // not by a pushed block
     const unsigned column = said ? self->words.column[letter - 'A'] : 0;
     const int written = column > 0 ? self->line.text[column - 1] & ~0x20 : letter; // U may be X
     return nck_decode_fail(self, code, column, written, value, limit);
@@ -68,7 +68,7 @@ void nck_decode_assume(nck_decode_t *self, nck_note_t note) {
 }
 
 void nck_decode_note_word(nck_decode_t *self, nck_note_t note, char letter, double value) {
-    const int said = (self->words.letters & NCK_LETTER(letter)) != 0;
+    const int said = nck_has_word(self, letter);
     const unsigned column = said ? self->words.column[letter - 'A'] : 0;
     const nck_diagnostic_t finding = {(int32_t)note, self->line.tag, column, letter, value, 0.0};
     note_once(self, &finding);

@@ -50,6 +50,8 @@ static inline void clear(nck_block_t *out) {
 // Kind and plane come last: a compiler would take some pains to store four bytes in a row at once.
 void nck_decode_block(const nck_decode_t *self, nck_block_kind_t kind, nck_block_t *out) {
     out->line = self->line.tag;
+    out->modes = 0; // whoever hands blocks on says them
+    out->reserved = 0;
     out->path_mode = self->modal.path_mode;
     out->feed_mode = self->modal.feed_mode;
     memcpy(out->target_nm, self->place.position_nm, sizeof out->target_nm);

@@ -8,6 +8,23 @@
 
 #include "nck/prep/1_decode/state/room.h" // nck_decode_t
 
+// ---- what a line and the machine say
+
+// Does the line have a word of this letter, A to Z? Cost: constant.
+static inline int nck_has_word(const nck_decode_t *self, int letter) {
+    return (self->words.letters & NCK_LETTER(letter)) != 0;
+}
+
+// Is Fanuc's language in force? Cost: constant.
+static inline int nck_is_fanuc(const nck_decode_t *self) {
+    return self->machine->dialect.base == NCK_DIALECT_FANUC;
+}
+
+// A unit of length in force [mm]. Cost: constant.
+static inline double nck_unit_mm(const nck_decode_t *self) {
+    return self->modal.inch ? 25.4 : 1.0;
+}
+
 // ---- finding.c
 
 // Note the line's error, the last one counts. column: 1-based, 0 for the whole line; letter: upper

@@ -43,7 +43,7 @@ uint64_t nck_variable_name(const char *at, const char *end) {
 }
 
 static int is_local(const nck_decode_t *self, uint64_t key) {
-    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
+    const int fanuc = nck_is_fanuc(self);
     if (key & (NAMED | KEPT_ALL)) return !(key & SHARED);
     return key <= (fanuc ? FANUC_LOCALS : LOCALS);
 }

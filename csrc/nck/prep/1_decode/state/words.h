@@ -56,6 +56,10 @@ typedef enum nck_rest {
 // Letters that a word may begin with.
 enum { NCK_LETTERS = 26 };
 
+// Bytes of a line.
+static inline int nck_is_letter(char c) { return (unsigned)((c | 0x20) - 'a') < NCK_LETTERS; }
+static inline int nck_is_digit(char c) { return c >= '0' && c <= '9'; }
+
 // Bits of letters and steps.
 #define NCK_LETTER(c) ((uint32_t)1 << ((c) - 'A'))
 #define NCK_STEP(k) ((uint32_t)1 << (k))

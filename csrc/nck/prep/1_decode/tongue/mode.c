@@ -10,14 +10,10 @@
 
 enum { G5 = 50, G5_1 = 51, G8 = 80, G10_9 = 109, G61_1 = 611, G187 = 1870 };
 
-static int has(const nck_decode_t *self, int letter) {
-    return (self->words.letters & NCK_LETTER(letter)) != 0;
-}
-
 // 1 if the entry's word stands in the line.
 static int is_said(const nck_decode_t *self, const nck_own_g_t *own) {
     int64_t value = -1;
-    if (!has(self, own->letter)) return 0;
+    if (!nck_has_word(self, own->letter)) return 0;
     return nck_number_whole(&self->words.number[own->letter - 'A'], 0, &value)
            && value == (int64_t)own->value;
 }
@@ -99,15 +95,15 @@ static nck_status_t choose(nck_decode_t *self, uint32_t tenths) {
     const int letter = word_of(tenths);
     int64_t value = 0;
     nck_status_t status = NCK_OK;
-    if (tenths == G187 && has(self, 'E')) return read_rounding(self);
-    if (letter != 0 && !has(self, letter)) {
+    if (tenths == G187 && nck_has_word(self, 'E')) return read_rounding(self);
+    if (letter != 0 && !nck_has_word(self, letter)) {
         return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_PATH, letter, 0.0, 0.0);
     }
     if (letter != 0) {
         status = nck_decode_whole(self, (char)letter, NCK_DECODE_VALUE_MAX, 0, &value);
     }
     if (status != NCK_OK) return status;
-    explain(self, NCK_STEP_PATH, tenths, letter != 0 ? value == 0 : !has(self, 'P'));
+    explain(self, NCK_STEP_PATH, tenths, letter != 0 ? value == 0 : !nck_has_word(self, 'P'));
     return NCK_EMPTY;
 }
 

@@ -92,17 +92,15 @@ int nck_printer_speaks(const nck_decode_t *self) {
     return (words->codes & own) && nck_printer_has(self, words->code[NCK_STEP_OWN]);
 }
 
-static int is_digit(char c) { return c >= '0' && c <= '9'; }
-
 const char *nck_printer_code(const char *at, nck_number_t *out) {
     if (!NCK_HAS_FOREIGN) return NULL;
     const char *const first = at + 1;
     int32_t tenths = 0;
     if ((*at & ~0x20) != 'M') return NULL;
-    for (at = first; is_digit(*at) && at - first < CODE_DIGITS; at++) {
+    for (at = first; nck_is_digit(*at) && at - first < CODE_DIGITS; at++) {
         tenths = 10 * tenths + 10 * (*at - '0');
     }
-    const int has_tenths = *at == '.' && is_digit(at[1]);
+    const int has_tenths = *at == '.' && nck_is_digit(at[1]);
     if (*at != ' ' && *at != '\t' && !has_tenths) return NULL; // nothing that could be misread
     if (has_tenths) {
         tenths += at[1] - '0';
@@ -116,7 +114,7 @@ const char *nck_printer_code(const char *at, nck_number_t *out) {
 static const char *checksum_end(const char *at, int32_t *value_out) {
     const char *const first = at + 1;
     *value_out = 0;
-    for (at = first; is_digit(*at) && at - first < 3; at++) {
+    for (at = first; nck_is_digit(*at) && at - first < 3; at++) {
         *value_out = 10 * *value_out + (*at - '0');
     }
     const char *const end = at;
@@ -135,7 +133,7 @@ static int has_text(const nck_decode_t *self, unsigned step) {
 
 const char *nck_printer_text(const nck_decode_t *self, const char *at, unsigned step) {
     if (!NCK_HAS_FOREIGN) return at;
-    const int numbered = (self->words.letters & NCK_LETTER('N')) != 0;
+    const int numbered = nck_has_word(self, 'N');
     int32_t value = 0;
     if (self->tongue != NCK_TONGUE_MARLIN || !has_text(self, step)) return at;
     while (*at != '\n' && *at != ';') {
@@ -178,7 +176,7 @@ nck_status_t nck_printer_resolve(nck_decode_t *self) {
 // S, or R of a wait; a fan without S turns fully.
 static nck_status_t read_value(nck_decode_t *self, const printer_code_t *code, double *value_out) {
     const double full = 255.0, most = 1e6;
-    const int s = (self->words.letters & NCK_LETTER('S')) != 0;
+    const int s = nck_has_word(self, 'S');
     const char letter = s ? 'S' : 'R';
     *value_out = full;
     if (!s && !(self->words.letters & NCK_LETTER('R'))) {

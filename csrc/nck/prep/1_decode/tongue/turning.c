@@ -11,7 +11,7 @@ enum { AXIS_U = 6 };
 int nck_lathe_speaks_fanuc(const nck_decode_t *self) {
     if (!NCK_HAS_LATHE) return 0;
     return self->machine->kinematics == NCK_KINEMATICS_LATHE_XZ
-           && self->machine->dialect.base == NCK_DIALECT_FANUC;
+           && nck_is_fanuc(self);
 }
 
 static uint32_t system_of(const nck_decode_t *self) {
