@@ -57,7 +57,8 @@ void nck_reference_follow(nck_stream_t *self, int i) {
     const double off = nck_max(nck_fabs(c[0] - s[0]),
                                nck_fabs(c[0] + c[1] + c[2] + c[3] - s[NCK_FAIR_BINS]));
     if (off > FOLLOWS * (s[NCK_FAIR_BINS] - s[0])) return;
-    for (int k = i == 0 ? 1 : 0; k <= NCK_FAIR_BINS; k++) {
+    const int first = i == 0; // a window's first s stays
+    for (int k = first; k <= NCK_FAIR_BINS; k++) {
         const double w = 0.25 * (double)k;
         s[k] = c[0] + w * (c[1] + w * (c[2] + w * c[3]));
     }
