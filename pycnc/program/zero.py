@@ -80,12 +80,11 @@ def place(text, machine):
     found = reach_of(text, [_at(machine, at, bare) for at in where], _floats(where))
     if found.has_errors:  # they are told where they are, and no others that come of them
         return Placed(_laid(machine, zeros, bare))
-    return _within(text, machine, bare, ends, found)
+    return _within(text, machine, bare, ends, found, zeros)
 
 
-def _within(text, machine, bare, ends, found):
+def _within(text, machine, bare, ends, found, zeros):
     """Return a machine whose travel has what a program reaches, or what is too large."""
-    zeros = {letter: _zero(machine.settings, letter) for letter in machine.axes}
     needs = {letter: found.need(letter, found.cuts[AXES.index(letter)]) for letter in ends}
     spans = {letter: found.need(letter, True) for letter in ends}
     begins = _begins(text, machine, bare, _narrow(spans, ends), needs, ends)

@@ -176,6 +176,23 @@ static void add_place(nck_timing_t *self, double s, nck_num v, nck_num wide) {
     place->wide = wide;
 }
 
+// How fast the clock may be at s, by how far the ends of its element are; near: an element to begin
+// with, and the one found [path mm/s].
+static nck_num wide_at(const nck_timing_t *self, const nck_track_t *track, uint32_t *near,
+                       double s) {
+    const nck_timing_terms_t *const terms = self->terms;
+    if (self->even) return 0;
+    *near = nck_track_find(track, *near, s);
+    const nck_track_element_t *const element = nck_track_at(track, *near);
+    const double v = nck_min(element->words.feed, terms->v_most);
+    if (element->kind != NCK_SEG_LINE || !(terms->longest > 1.0) || !(v > 0.0)) return 0;
+    const nck_num way = (nck_num)(s - element->s);
+    const nck_num length = (nck_num)element->length;
+    const double grows = nck_min(GROWS / terms->tau,
+                                 nck_sqrt(SWINGS * terms->j_least / v));
+    return nck_num_max((nck_num)grows * way * (1 - way / length), 0);
+}
+
 nck_status_t nck_timing_look(nck_timing_t *self, const nck_track_t *track) {
     self->brakes = 0;
     if (self->looked || self->guess.head - self->guess.tail == NCK_TIMING_PLACES) return NCK_DONE;
@@ -193,7 +210,7 @@ nck_status_t nck_timing_look(nck_timing_t *self, const nck_track_t *track) {
     }
     sight.tolerance = (nck_num)element->tolerance;
     nck_track_view(track, *near, s, &sight.middle);
-    const nck_num wide = nck_timing_wide(self, track, near, s);
+    const nck_num wide = wide_at(self, track, near, s);
     add_place(self, s, speed_of(self, track, &sight, element), wide);
     self->looked = self->closed && s >= sight.known;
     return NCK_OK;
@@ -243,25 +260,10 @@ static nck_num share_at(int k, int from, int blend) {
     return g * g * (3 - 2 * g);
 }
 
-nck_num nck_timing_wide(const nck_timing_t *self, const nck_track_t *track, uint32_t *near,
-                        double s) {
-    const nck_timing_terms_t *const terms = self->terms;
-    if (self->even) return 0;
-    *near = nck_track_find(track, *near, s);
-    const nck_track_element_t *const element = nck_track_at(track, *near);
-    const double v = nck_min(element->words.feed, terms->v_most);
-    if (element->kind != NCK_SEG_LINE || !(terms->longest > 1.0) || !(v > 0.0)) return 0;
-    const nck_num way = (nck_num)(s - element->s);
-    const nck_num length = (nck_num)element->length;
-    const double grows = nck_min(GROWS / terms->tau,
-                                 nck_sqrt(SWINGS * terms->j_least / v));
-    return nck_num_max((nck_num)grows * way * (1 - way / length), 0);
-}
-
 int nck_timing_is_wide(const nck_timing_t *self, const nck_track_t *track, uint32_t *near,
                        int knot) {
     const nck_num now = speed_at(self, 4 * knot, 4 * self->knots);
-    return now > 0 && nck_timing_wide(self, track, near, self->s[4 * knot]) > STRETCHED * now;
+    return now > 0 && wide_at(self, track, near, self->s[4 * knot]) > STRETCHED * now;
 }
 
 double nck_timing_pace(const nck_timing_t *self, const nck_track_t *track, uint32_t *near,
@@ -277,16 +279,14 @@ double nck_timing_pace(const nck_timing_t *self, const nck_track_t *track, uint3
 }
 
 // By what a clock of the speed `now` differs from one that is `wanted`.
-static nck_num factor_of(nck_num now, nck_num wanted) {
-    return now > 0 ? clamp(wanted / now, SLOWEST, FASTEST) : 1;
-}
+static nck_num factor_of(nck_num now, nck_num wanted) { return now > 0 ? wanted / now : 1; }
 
 nck_num nck_timing_factor(const nck_timing_t *self, const nck_track_t *track, uint32_t *near,
                           int knot, nck_num b) {
     const nck_num now = speed_at(self, 4 * knot, 4 * self->knots);
-    const nck_num wide = nck_timing_wide(self, track, near, self->s[4 * knot]);
+    const nck_num wide = wide_at(self, track, near, self->s[4 * knot]);
     const nck_num v = now * NCK_NUM_SQRT(nck_num_max(b, 0));
-    return now > 0 ? nck_timing_rate(self->terms, v, wide) / now : 1;
+    return factor_of(now, nck_timing_rate(self->terms, v, wide));
 }
 
 // What is kept at a quarter, whose s and `wide` are known: the clock's speed there by the plan, and
@@ -296,7 +296,8 @@ static void keep_place(const nck_timing_t *self, nck_num pace, nck_num share, in
     const nck_num now = speed_at(self, k, 4 * self->knots);
     const nck_num v = now * pace;
     const nck_num rate = nck_timing_rate(self->terms, v, out->wide);
-    const nck_num blended = now * (1 + (factor_of(now, rate) - 1) * share);
+    const nck_num factor = clamp(factor_of(now, rate), SLOWEST, FASTEST);
+    const nck_num blended = now * (1 + (factor - 1) * share);
     const nck_num scale = rate > 0 ? blended / rate : 1;
     out->v = scale * v;
     out->wide *= scale;
@@ -315,7 +316,7 @@ void nck_timing_keep(nck_timing_t *self, nck_timing_list_t *list, const nck_trac
         const nck_num pace = pace_at(b, self->begins || k > 4 ? k : 4);
         nck_place_t *const place = &list->at[list->count];
         place->s = self->s[k];
-        place->wide = nck_timing_wide(self, track, &near, place->s);
+        place->wide = wide_at(self, track, &near, place->s);
         keep_place(self, pace, share, k, place);
         list->count++;
     }

@@ -128,11 +128,6 @@ void nck_timing_drop(nck_timing_t *self, double s);
 void nck_timing_keep(nck_timing_t *self, nck_timing_list_t *list, const nck_track_t *track,
                      const nck_num *b, const int span[3]);
 
-// How fast the clock may be at s, by how far the ends of its element are; near: an element to begin
-// with, and the one found [path mm/s]. Cost: as nck_track_find. Context: prep.
-nck_num nck_timing_wide(const nck_timing_t *self, const nck_track_t *track, uint32_t *near,
-                        double s);
-
 // 1 if knots are far apart at this one. Cost: as nck_track_find. Context: prep.
 int nck_timing_is_wide(const nck_timing_t *self, const nck_track_t *track, uint32_t *near,
                        int knot);
