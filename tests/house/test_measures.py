@@ -42,6 +42,12 @@ def test_the_glossary_is_short_and_a_word_of_it_is_of_one_room():
     assert several == {"contour"}  # one thing: room 1 reads it, room 2 goes beside it
 
 
+def test_the_pages_grow_no_longer(told):
+    every, running = told["words of docs and DESIGN: all / running text"].split(" / ")
+    assert int(every.replace(",", "")) <= 42_200
+    assert int(running.replace(",", "")) <= 24_000
+
+
 def test_no_rule_stands_in_two_files():
     double = measures.doubles()
     assert [names for names in double if "5_slope" not in names[0]] == []

@@ -30,7 +30,7 @@ def worker():
 
 
 # Of COUNT programs, how many may be slower than with exact stops by more than 5 %: corners on the
-# scale of one period, whose time is misjudged (docs/jerk.md).
+# scale of one period, whose time is misjudged (docs/planner.md, section 15).
 SLOWER_MOST = {"jerk": 0, "linear": 0}
 
 
