@@ -295,6 +295,11 @@
 #else
 #define NCK_TURNED_ROWS 1
 #endif
+#if NCK_HAS_FOREIGN
+#define NCK_KEPT_VALUES 22 // of outputs and settings, for a program that begins in the middle
+#else
+#define NCK_KEPT_VALUES 1
+#endif
 #if NCK_CALL_DEPTH > 0
 #define NCK_FRAME_ROWS NCK_CALL_DEPTH
 #define NCK_LABEL_ROWS 8
