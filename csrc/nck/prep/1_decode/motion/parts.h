@@ -58,9 +58,10 @@ static inline int nck_motion_adds(const nck_decode_t *self) {
 
 // ---- slant.c
 
-// The angle of ,A and the axis that is said become the word of the other axis of the plane.
-// NCK_E_WORD_UNUSED, NCK_E_INCREMENTAL, NCK_E_LAYOUT_ON, NCK_E_WORD_SHARED, NCK_E_UNSUPPORTED (no
-// axis is said), NCK_E_NUMBER_RANGE. Cost: constant.
+// The angle of ,A and the axis that is said become the word of the other axis of the plane; without
+// an axis the next line says where this one ends.
+// NCK_E_WORD_UNUSED, NCK_E_INCREMENTAL, NCK_E_LAYOUT_ON, NCK_E_WORD_SHARED, NCK_E_UNSUPPORTED (the
+// line before has an angle alone, and not both axes are said), NCK_E_NUMBER_RANGE. Cost: constant.
 nck_status_t nck_slant_resolve(nck_decode_t *self);
 
 #endif
