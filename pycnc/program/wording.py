@@ -359,8 +359,9 @@ WORDING = {
     "after-end": ("what follows the program's end is not read", "remove the text or the M2 / M30"),
     "called-from": ("called from here", ""),
     "feed-units": (
-        "F beside a change of units is read in the units that its own line begins",
-        "put G20 or G21 on a line before: LinuxCNC reads such an F in the units before the line",
+        "F beside a change of units is read in the units {feed_units}",
+        "put G20 or G21 on a line before: LinuxCNC reads such an F in the units before the line, "
+        "other controls in those of its line",
     ),
     **MOTION,
 }
