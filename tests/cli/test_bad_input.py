@@ -240,3 +240,8 @@ def test_any_bytes_are_decoded_or_refused(data):
 
 MILL = Machine.load("mill3")
 CODES = {getattr(lib, name) for name in dir(lib) if name.startswith(("NCK_E_", "NCK_NOTE_"))}
+
+
+def test_quiet_tells_like_errors_once_with_their_count():
+    told = pycnc("check", "-q", "-", stdin=b"G1 F100 X1 E5\n" * 99).out
+    assert told.count("error[") == 2 and "98 more like this" in told and "note" not in told
