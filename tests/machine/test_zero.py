@@ -165,7 +165,8 @@ def test_verbs_take_a_zero(tmp_path):
 @pytest.mark.parametrize("zero", [None, "-400,-300,-200"])
 def test_a_further_work_system_lies_where_all_others_do(row, zero, tmp_path):
     (tmp_path / "part.nc").write_text(f"G21 G90 G0 G54 X1. Y2. Z3.\n{row} X4. Y5. Z6.\nM30\n")
-    told = pycnc("check", tmp_path / "part.nc", "-m", "haas_vf2", *(["--zero", zero] if zero else []))
+    more = ["--zero", zero] if zero else []
+    told = pycnc("check", tmp_path / "part.nc", "-m", "haas_vf2", *more)
     assert told.code == 0, told.out + told.err
     apart = Machine.load("haas_vf2", set={"work.zero": "told", "work.g55.x_mm": -9})
     text = f"G21 G90 G0 {row} X4. Y5. Z6.\nM30\n".encode()

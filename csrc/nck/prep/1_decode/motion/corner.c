@@ -257,27 +257,38 @@ static nck_status_t part(nck_decode_t *self, const int64_t *corner_nm, nck_block
     return NCK_OK;
 }
 
+// Where both moves meet, and how they do.
+static nck_status_t find_edges(nck_decode_t *self, int64_t *corner_nm, nck_edge_t *edges) {
+    nck_corner_t *const corner = &self->held.corner;
+    const int misses = corner->is_open == 1 || (corner->is_open && !meet(corner));
+    if (misses) return fail(self, corner->size);
+    end_of(&corner->held, corner_nm);
+    const nck_status_t status = corner->is_open ? check_end(self, corner_nm) : NCK_OK;
+    if (status != NCK_OK) return status;
+    const int before = make_edge(&corner->held, corner->from_nm, corner_nm, &edges[0]);
+    const int behind = make_edge(&corner->next, corner_nm, corner_nm, &edges[1]);
+    return before && behind ? NCK_OK : fail(self, corner->size);
+}
+
+static int cut_off(const nck_corner_t *corner, const nck_edge_t *edges, nck_cut_t *cut_out) {
+    const double size = nck_fabs(corner->size);
+    if (!is_sign_good(corner, edges)) return 0;
+    return corner->letter == 'R' ? nck_fillet(edges, size, cut_out)
+                                 : nck_chamfer(edges, size, cut_out);
+}
+
 // Both moves are known: the first one goes out, shorter.
 static nck_status_t join(nck_decode_t *self, nck_block_t *out) {
     nck_corner_t *const corner = &self->held.corner;
     nck_block_t *const held = &corner->held;
-    const double size = nck_fabs(corner->size);
     int64_t corner_nm[NCK_AXIS_MAX], place_nm[2][NCK_AXIS_MAX];
     nck_edge_t edges[2];
     nck_cut_t cut;
     unsigned axes[2];
-    if (corner->is_open == 1 || (corner->is_open && !meet(corner))) return fail(self, corner->size);
-    end_of(held, corner_nm);
-    const nck_status_t status = corner->is_open ? check_end(self, corner_nm) : NCK_OK;
+    const nck_status_t status = find_edges(self, corner_nm, edges);
     if (status != NCK_OK) return status;
-    const int before = make_edge(held, corner->from_nm, corner_nm, &edges[0]);
-    const int behind = make_edge(&corner->next, corner_nm, corner_nm, &edges[1]);
-    const int good = corner->letter == 'A' || is_sign_good(corner, edges);
-    if (!before || !behind || !good) return fail(self, corner->size);
     if (corner->letter == 'A') return part(self, corner_nm, out);
-    const int fits = corner->letter == 'R' ? nck_fillet(edges, size, &cut)
-                                           : nck_chamfer(edges, size, &cut);
-    if (!fits) return fail(self, corner->size);
+    if (!cut_off(corner, edges, &cut)) return fail(self, corner->size);
     choose_plane(held, axes);
     for (unsigned k = 0; k < 2; k++) {
         memcpy(place_nm[k], corner_nm, sizeof corner_nm);
@@ -301,7 +312,8 @@ static nck_status_t join(nck_decode_t *self, nck_block_t *out) {
 
 // ---- the lines
 
-static void forget(nck_decode_t *self) {
+static void forget(nck_decode_t *self, int is_error) {
+    if (is_error && self->held.corner.is_open) self->held.corner.is_missed = 1;
     self->held.corner.is_open = 0;
     self->held.corner.phase = NCK_CORNER_NOT;
     self->held.corner.word.letter = 0;
@@ -422,8 +434,7 @@ nck_status_t nck_corner_take(nck_decode_t *self, nck_status_t status, nck_block_
     const int says = corner->word.letter != 0;
     if (now == NCK_EMPTY && says && self->words.steps == 0) now = miss(self);
     if (status == NCK_OK && now < NCK_OK) drop_cycle(self);
-    if (now < NCK_OK && corner->is_open) corner->is_missed = 1;
-    if (now < NCK_OK || (corner->phase == NCK_CORNER_NOT && !says)) forget(self);
+    if (now < NCK_OK || (corner->phase == NCK_CORNER_NOT && !says)) forget(self, now < NCK_OK);
     return now;
 }
 
@@ -453,6 +464,6 @@ nck_status_t nck_corner_next(nck_decode_t *self, nck_block_t *out) {
 nck_status_t nck_corner_missing(nck_decode_t *self) {
     self->text.over = 1;
     if (!NCK_HAS_CYCLES) return NCK_E_UNSUPPORTED;
-    forget(self);
+    forget(self, 1);
     return fail(self, self->held.corner.size);
 }
