@@ -308,7 +308,8 @@ WORDING = {
         "set them in the machine file, as in --set axis.x.a_max_mm_s2=1000",
     ),
     "assumed-length": (
-        "the machine file has no tools: 0 is taken for the length of tool {value:.0f}, and of all",
+        "the machine file has no tools: 0 is taken for length and radius of tool {value:.0f}, and "
+        "of all",
         "to say it: [tool.{value:.0f}] in the machine file, or a tool table: --tools tool.tbl",
     ),
     "feed-kept": (

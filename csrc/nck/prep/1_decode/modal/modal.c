@@ -196,6 +196,8 @@ nck_status_t nck_decode_dwell_word(nck_decode_t *self, char letter, double *dwel
 nck_status_t nck_decode_dwell(nck_decode_t *self, nck_block_t *out) {
     const char letter = dwell_letter(self);
     double dwell_s = 0.0;
+    const int waits = self->tongue == NCK_TONGUE_MARLIN; // until all that is before it is done
+    if (letter == 0 && waits) return nck_decode_give_dwell(self, 0.0, out);
     if (letter == 0) {
         return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_DWELL, 'P', 0.0, 0.0);
     }
