@@ -3,7 +3,7 @@
 // follows, and the next move begins later. A line of which ,A alone is said ends where it meets the
 // next one. The next line's motion is decoded before its outputs, so
 // that these stand between the corner and the move of their own line.
-#include "nck/prep/1_decode/motion/motion.h"
+#include "nck/prep/1_decode/motion/parts.h"
 #include "nck/prep/1_decode/motion/fillet.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_block nck_decode_fail nck_decode_leave
 #include "nck/prep/1_decode/number/number.h" // nck_decode_as_word nck_decode_counts_of …

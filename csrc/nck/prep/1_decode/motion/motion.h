@@ -56,14 +56,6 @@ void nck_corner_keep(nck_decode_t *self, char letter, unsigned column,
                      const nck_number_t *number, int is_old);
 uint32_t nck_corner_letters(nck_decode_t *self, uint32_t letters);
 
-// A line of which ,A alone is said [rad] ends where it meets the next one; 1: the line that waits
-// is such a one; 1, once: there would be one, but for an error; the angle of the line behind it.
-// Cost: constant.
-void nck_corner_open(nck_decode_t *self, unsigned column, double angle);
-int nck_corner_is_open(const nck_decode_t *self);
-int nck_corner_excuses(nck_decode_t *self);
-void nck_corner_close(nck_decode_t *self, double angle);
-
 // The line behind a corner, resolved; what a line's steps gave while a corner is in work:
 // NCK_EMPTY: the block is held; the corner, and the move behind it; the text ends before it. All:
 // NCK_E_CORNER. Cost: constant.

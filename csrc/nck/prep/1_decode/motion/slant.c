@@ -2,7 +2,6 @@
 // Fanuc's ,A: the angle of a line in its plane, from the plane's first axis [deg]. One axis of the
 // plane is said, and what the other one would be becomes its word. Or none is: then the line ends
 // where the next one begins, of which the angle and both axes of its end are said.
-#include "nck/prep/1_decode/motion/motion.h" // nck_corner_open …
 #include "nck/prep/1_decode/motion/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail
 #include "nck/prep/1_decode/number/number.h" // nck_decode_axis_word nck_decode_write …
