@@ -75,7 +75,7 @@ void nck_polar_next(nck_decode_t *self);
 
 // ---- slant.c
 
-// A without a comma is ,A on lathes that have no such axis. As nck_slant_keep. Cost: constant.
+// On a lathe: A without a comma is ,A if no axis is called so. As nck_slant_keep. Cost: constant.
 nck_status_t nck_slant_plain(nck_decode_t *self);
 
 // Fanuc's ,A: the angle that stands in a column, kept until nck_polar_resolve makes it the word of

@@ -43,7 +43,7 @@ nck_status_t nck_slant_plain(nck_decode_t *self) {
                               | NCK_STEP(NCK_STEP_DISTANCE) | NCK_STEP(NCK_STEP_EXACT));
     const int is_axis = (self->place.axes >> AXIS_A & 1u) != 0;
     const int says = (words->letters & NCK_LETTER('A')) != 0 && words->polars == 0;
-    if (!NCK_HAS_LAYOUTS || !self->lathe || !says || is_axis) return NCK_OK;
+    if (!NCK_HAS_LAYOUTS || !says || is_axis) return NCK_OK;
     if (!is_line(self) || (words->codes & others) != 0) return NCK_OK;
     words->letters &= ~NCK_LETTER('A');
     return nck_slant_keep(self, words->column[0], &words->number[0]);
