@@ -15,6 +15,7 @@ void nck_session_go_back(nck_decode_t *self) {
     if (self->session.phase == NCK_SESSION_NOT) return;
     *self = *self->session.before;
     self->text.complete = complete;
+    self->text.quick = 0; // what was told since counts for nothing
 }
 
 nck_status_t nck_decode_lend(nck_decode_t *self, nck_decode_t *before) {
