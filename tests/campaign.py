@@ -77,6 +77,7 @@ PARTS = {
               "tests/controller/serving_runs.py bytes 2000 {seed}",
               "tests/controller/serving_runs.py modes 500 {seed}",
               "tests/controller/serving_runs.py resets 1000 {seed}",
+              "tests/controller/serving_runs.py returns 1000 {seed}",
               "tests/controller/hostile_runs.py storms 3000 {seed}",
               "tests/controller/hostile_runs.py doors 5000 {seed}",
               "tests/controller/serving_runs.py brakes 1000 {seed}",
