@@ -297,6 +297,13 @@ nck_status_t nck_probed(nck_t *nck, const nck_halt_t *halt) {
     return nck_decode_probed(&nck->decode, halt ? at_nm : NULL);
 }
 
+nck_status_t nck_answered(nck_t *nck, double value) {
+    if (!nck->decode.session.before || !nck_decode_is_empty(&nck->decode)) return NCK_E_STATE;
+    return nck_decode_answered(&nck->decode, value);
+}
+
+void nck_await(nck_t *nck, uint32_t on) { nck_interpolate_await(&nck->interpolate, on); }
+
 // ---- what it tells
 
 void nck_set_spindle(nck_t *nck, double turns) {

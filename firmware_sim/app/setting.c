@@ -68,6 +68,7 @@ static const setting_t settings[] = {
     ONE(dialect.thread_pull, REAL),
     ONE(spindle.rpm_max, REAL),
     ONE(spindle.a_max_rpm_s, REAL),
+    ONE(spindle.waits, WORD),
     ONE(approach.height_nm, INTEGER),
     ONE(approach.feed, REAL),
     ONE(approach.axis, WORD),

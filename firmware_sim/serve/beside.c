@@ -41,6 +41,7 @@ static int begin_probe(serve_t *self) {
         nck_flush(self->nck);
         return 0;
     }
+    if (self->line.probes == SERVE_ASKS) return 1;
     if (is_on(inputs, HAL_IN_PROBE) != waits_open(self)) {
         alarm(self, ALARM_PROBE_BEFORE);
         return 2;
@@ -60,6 +61,10 @@ static int say_probe(serve_t *self) {
 
 static void end_probe(serve_t *self) {
     inputs_t *const inputs = self->inputs;
+    if (self->line.probes == SERVE_ASKS) {
+        (void)nck_answered(self->nck, inputs->wait.answer);
+        return;
+    }
     const int found = inputs->halt.periods > 0;
     inputs->probed = (uint32_t)found;
     memcpy(inputs->probe_at, found ? inputs->halt.at : serve_seen(self)->at,

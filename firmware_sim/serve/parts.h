@@ -22,6 +22,9 @@ void serve_look(serve_t *self);
 // words.c: the same of a jog's words, behind the =; makes a line of them. Returns 0 or its error.
 uint8_t serve_look_jog(serve_t *self);
 
+// Of a line that probes: it is M66.
+enum { SERVE_ASKS = 66 };
+
 // A number as it is written.
 typedef struct serve_number {
     uint32_t whole, thousandths; // of its size

@@ -107,7 +107,7 @@ typedef struct serve {
         uint8_t jogs;            // 1: it is one
         uint8_t does;            // of serve_does_t
         uint8_t own;             // 1: nobody has sent it, or who has is gone
-        uint8_t probes;          // G38.n: n; 0: it does not
+        uint8_t probes;          // G38.n: n; M66: 66; 0: it does not
         uint32_t name;           // its N word
         uint32_t size;           // of text
     } line;

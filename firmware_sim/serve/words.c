@@ -61,6 +61,7 @@ static void look_at_word(serve_t *self, char letter, const serve_number_t *numbe
     for (uint32_t k = 0; k < sizeof rows / sizeof *rows; k++) {
         if (code >= rows[k].least && code <= rows[k].most) self->line.does |= rows[k].does;
     }
+    if (code == M + 660) self->line.probes = SERVE_ASKS;
     if (code >= 382 && code <= 385) self->probe = self->line.probes = (uint8_t)(code - 380);
 }
 

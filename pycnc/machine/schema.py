@@ -170,6 +170,10 @@ class Spindle(Table):
         description="How fast the speed can change, in rpm a second: under G96 no move is faster "
         "than the spindle can follow; 0: at once.",
     )
+    waits: bool = Field(
+        False,
+        description="The path rests at M3, M4 and another S until the spindle has its speed.",
+    )
 
 
 class Times(Table):

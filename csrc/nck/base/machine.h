@@ -211,6 +211,7 @@ typedef struct nck_machine {
     struct {
         double rpm_max;      // ROTATION; 0: no check
         double a_max_rpm_s;  // ROTATION, a second: how fast it follows under G96; 0: at once
+        uint32_t waits;      // 1: M3, M4 and another S while it turns are waited at, as M0 is
     } spindle;
 
     struct {

@@ -42,6 +42,10 @@ nck_status_t nck_decode_probed(nck_decode_t *self, const int64_t *at_nm) {
     return status;
 }
 
+nck_status_t nck_decode_answered(nck_decode_t *self, double value) {
+    return nck_parameter_set_answer(self, value);
+}
+
 nck_status_t nck_decode_set_offsets(nck_decode_t *self, const nck_offsets_t *offsets) {
     const int known = nck_tool_is_known(self, offsets->tool_next)
                       && nck_tool_is_known(self, offsets->tool_in);

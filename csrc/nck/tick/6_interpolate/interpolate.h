@@ -30,6 +30,7 @@ typedef struct nck_interpolate {
     uint32_t rests;         // 1: the last cell came to rest and the tick has landed
     uint32_t waits;         // 1: until resume; any reads it
     uint32_t resume;        // any context asks to go on
+    uint32_t awaits;        // 1: … which counts once this is 0; any writes it
     nck_filter_t filter;
     nck_rider_t rider;
     nck_sync_t sync;      // the spindle, and the pass of a thread in work
@@ -98,6 +99,10 @@ int nck_interpolate_is_at_rest(const nck_interpolate_t *self);
 
 // Go on after a WAIT. Cost: constant. Context: any.
 void nck_interpolate_resume(nck_interpolate_t *self);
+
+// 1: what a WAIT is for is not there yet, whoever asks to go on; 0: it is. Cost: constant. Context:
+// any.
+void nck_interpolate_await(nck_interpolate_t *self, uint32_t on);
 
 // Periods from a rest to the landing after the time t: the smallest k ≥ 1 with k·T ≥ t, in the
 // arithmetic of the tick. A filter adds its taps less one, if the path moved.
