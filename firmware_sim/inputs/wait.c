@@ -23,8 +23,8 @@ static void ask(inputs_t *self, const nck_output_t *output) {
 }
 
 void inputs_output(inputs_t *self, const nck_output_t *output) {
-    const int turns = output->kind == NCK_OUTPUT_M && (output->value == 3.0 || output->value == 4.0);
-    const int speed = output->kind == NCK_OUTPUT_SPINDLE_SPEED || turns;
+    const double code = output->kind == NCK_OUTPUT_M ? output->value : 0.0;
+    const int speed = output->kind == NCK_OUTPUT_SPINDLE_SPEED || code == 3.0 || code == 4.0;
     self->wait.ticks = 0;
     self->wait.kind = INPUTS_NOTHING;
     if (speed && nck_machine_of(self->nck)->spindle.waits) self->wait.kind = INPUTS_SPEED;

@@ -445,7 +445,7 @@ def _may_go(least, most, at, to):
 
 
 def returns(seed):
-    """Stand outside of the travel: ways nearer are taken, others not, and none leads further out."""
+    """Stand outside of the travel: ways nearer are taken, others not, none leads further out."""
     draw = random.Random(seed)
     talk = Talk(mill(**{"path.slope": draw.choice(("jerk", "linear", "optimal"))}))
     axes = [lib.nck_machine_of(talk.session._nck).axis[k] for k in range(3)]

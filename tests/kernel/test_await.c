@@ -118,8 +118,8 @@ static double ask(check_t *check)
 
 static void check_session(check_t *check, uint32_t number)
 {
-    static const char *const words[] = {"M3 S900\n", "M4\n", "M5\n", "S1500\n", "M3\n", "G4 P0.02\n",
-                                        "S300 M4\n", "M8\n"};
+    static const char *const words[] = {"M3 S900\n", "M4\n", "M5\n", "S1500\n", "M3\n", "M8\n",
+                                        "S300 M4\n", "G4 P0.02\n"};
     const int broken = check->broken;
     char text[LINE_BYTES];
     double x = 0.0;
