@@ -124,7 +124,7 @@ nck_status_t nck_stopped_at(const nck_t *nck, const nck_halt_t *halt, nck_axes_t
 nck_status_t nck_probed(nck_t *nck, const nck_halt_t *halt);
 
 // What a WAIT is for is not there yet (1): the spindle's speed behind M3, M4 and S where the
-// machine waits for it (spindle.waits), an input behind M66. The tick rests in NCK_TICK_DWELL, and
+// machine waits for it (spindle_waits), an input behind M66. The tick rests in NCK_TICK_DWELL, and
 // nck_resume ends a hold alone. 0: it is there, and the path goes on, unless it is held. Say 1 in
 // on_output, when it is told; a WAIT of which nobody says so is the operator's. nck_begin and
 // nck_go_on forget it. Cost: constant. Context: any.

@@ -111,7 +111,7 @@ void inputs_init(inputs_t *self, nck_t *nck);
 int inputs_tick(inputs_t *self, uint32_t pins);
 
 // What the program switches is told, as on_output is: the path waits for the spindle's speed where
-// the machine does (spindle.waits), and for the input that M66 asks for; ports above 7 read 0, and
+// the machine does (spindle_waits), and for the input that M66 asks for; ports above 7 read 0, and
 // nobody waits for them.
 // Cost: constant. Context: tick.
 void inputs_output(inputs_t *self, const nck_output_t *output);

@@ -27,7 +27,7 @@ void inputs_output(inputs_t *self, const nck_output_t *output) {
     const int speed = output->kind == NCK_OUTPUT_SPINDLE_SPEED || code == 3.0 || code == 4.0;
     self->wait.ticks = 0;
     self->wait.kind = INPUTS_NOTHING;
-    if (speed && nck_machine_of(self->nck)->spindle.waits) self->wait.kind = INPUTS_SPEED;
+    if (speed && nck_machine_of(self->nck)->spindle_waits) self->wait.kind = INPUTS_SPEED;
     if (output->kind == NCK_OUTPUT_INPUT) ask(self, output);
     nck_await(self->nck, self->wait.kind != INPUTS_NOTHING);
 }

@@ -94,23 +94,24 @@ static uint8_t sleep(serve_t *self) {
     return 0;
 }
 
+// $RST=# has offsets none, and the places of G28 and G30 the machine's zero; $RST=$ settings,
+// $RST=* both.
 static uint8_t restore(serve_t *self) {
-    self->mask = MASK_MOST;
-    self->inches = 0;
-    serve_forget(self);
-    serve_say(self, "[MSG:Restoring defaults]\n");
-    return 0;
-}
-
-// Offsets are none, and the places of G28 and G30 the machine's zero.
-static uint8_t erase(serve_t *self) {
+    enum { WHAT = 5 };
+    const char what = self->text[WHAT];
     nck_modal_t modal;
     nck_modal(self->nck, &modal);
     memset(modal.systems_nm, 0, sizeof modal.systems_nm);
     memset(modal.home_nm, 0, sizeof modal.home_nm);
     memset(modal.g92_nm, 0, sizeof modal.g92_nm);
-    if (nck_modal_set(self->nck, &modal) != NCK_OK) return SERVE_E_BUSY;
-    return restore(self);
+    if (what != '$' && nck_modal_set(self->nck, &modal) != NCK_OK) return SERVE_E_BUSY;
+    if (what != '#') {
+        self->mask = MASK_MOST;
+        self->inches = 0;
+    }
+    serve_forget(self);
+    serve_say(self, "[MSG:Restoring defaults]\n");
+    return 0;
 }
 
 static uint8_t say_build(serve_t *self) {
@@ -146,7 +147,7 @@ uint8_t serve_command(serve_t *self) {
         {"", 0, help}, {"G", 0, serve_say_modes}, {"C", 0, check}, {"X", 0, unlock},
         {"$", 1, say_settings}, {"#", 1, serve_say_offsets}, {"I", 1, say_build},
         {"N", 1, say_lines}, {"H", 1, home}, {"SLP", 1, sleep}, {"RST=$", 1, restore},
-        {"RST=#", 1, erase}
+        {"RST=#", 1, restore}, {"RST=*", 1, restore}
     };
     const char *const name = self->text + 1;
     const int busy = !self->idle || self->held;

@@ -97,7 +97,7 @@ static void begin(void)
     const nck_hooks_t hooks = {NULL, on_output, NULL, NULL};
     front_machine(&front, slopes[pick(NCK_HAS_OPTIMAL ? 3 : 2)]);
     front.machine.path.tolerance = pick(2) ? 0.05 : 0.0;
-    front.machine.spindle.waits = 1;
+    front.machine.spindle_waits = 1;
     (void)front_start(&front);
     (void)nck_init(&front.nck, &front.machine, &hooks);
     (void)nck_begin_session(&front.nck, &before);

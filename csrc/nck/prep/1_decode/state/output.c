@@ -74,7 +74,7 @@ static int changes_speed(const nck_decode_t *self, nck_output_kind_t kind, doubl
 
 nck_status_t nck_decode_give_output(const nck_decode_t *self, nck_block_kind_t block,
                                     nck_output_kind_t kind, double value, nck_block_t *out) {
-    const int waits = self->machine->spindle.waits && changes_speed(self, kind, value);
+    const int waits = self->machine->spindle_waits && changes_speed(self, kind, value);
     nck_decode_block(self, waits ? NCK_BLOCK_WAIT : block, out);
     out->output.kind = kind;
     out->output.value = value;
