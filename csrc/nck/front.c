@@ -393,6 +393,37 @@ void nck_asked(const nck_t *nck, nck_command_t *command_out) {
     command_out->abort = nck_fence_load(&command->abort);
 }
 
+// An override of none asks for a rest, which a clock that stands has brought.
+static uint32_t moving(uint32_t asked, uint32_t before) { return asked > 0 ? asked : before; }
+
+// Along a clocked path the tick rests by its own clock, and counts on the plan in force: nothing
+// else is heard then, and an answer in work is not wanted any more. While the clock stands any plan
+// may come that moves.
+static void hear_clock(const nck_command_t *planned, uint32_t clock, nck_command_t *heard) {
+    const nck_command_t asked = *heard;
+    *heard = *planned;
+    heard->resumes = asked.resumes;
+    if (clock != NCK_CLOCK_STANDS) return;
+    heard->hold &= asked.hold;
+    heard->single_block = asked.single_block;
+    heard->feed_ppm = moving(asked.feed_ppm, planned->feed_ppm);
+    heard->rapid_ppm = moving(asked.rapid_ppm, planned->rapid_ppm);
+    heard->speed_um_s = moving(asked.speed_um_s, planned->speed_um_s);
+}
+
+void nck_hear(nck_t *nck, uint32_t stopped) {
+    nck_command_t *const heard = &nck->wire.heard;
+    if (!nck_slope_is_answering(&nck->slope)) nck->wire.planned = *heard;
+    nck_asked(nck, heard);
+    heard->hold |= stopped;
+    nck->slope.stands = 0;
+    if (!NCK_HAS_OPTIMAL || !nck_slope_is_clocked(&nck->slope)) return;
+    const uint32_t clock = nck_interpolate_clock(&nck->interpolate);
+    if (clock == NCK_CLOCK_RUNS) return;
+    nck->slope.stands = (uint32_t)(clock == NCK_CLOCK_STANDS);
+    hear_clock(&nck->wire.planned, clock, heard);
+}
+
 uint32_t nck_invariants(const nck_t *nck) {
     const int holds[] = {nck_link_invariants(&nck->link),
                          nck_decode_invariants(&nck->decode),

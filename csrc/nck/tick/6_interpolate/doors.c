@@ -10,6 +10,10 @@ int nck_interpolate_stands(const nck_interpolate_t *self) {
     return nck_fence_load(&self->stands) != 0;
 }
 
+void nck_interpolate_keep(nck_interpolate_t *self, uint32_t on) {
+    nck_fence_store(&self->kept, on);
+}
+
 uint32_t nck_interpolate_clock(const nck_interpolate_t *self) {
     if (!nck_fence_load(&self->has_cell)) return NCK_CLOCK_RUNS;
     return nck_fence_load(&self->clock.state);

@@ -350,7 +350,7 @@ static void hear(nck_interpolate_t *self) {
     case NCK_GOES_BY_LENGTH: find_place(self, &here); nck_clock_begin(clock, here.v, here.a); break;
     default: break;
     }
-    if (!self->brakes && clock->state == NCK_CLOCK_STANDS) nck_clock_go_on(clock);
+    if (slows && !self->brakes) nck_clock_leave(clock, nck_fence_load(&self->kept));
 }
 
 // So far along the plan, as long as a period at most: it is never overtaken. 0: the path rests.

@@ -37,6 +37,7 @@ typedef struct nck_interpolate {
     nck_watch_t watch;      // over prep
     uint32_t brakes;        // as what a tick is told that has to brake, an nck_tick_state_t; 0: not
     uint32_t stands;        // 1: it has, and rests; any reads it
+    uint32_t kept;          // 1: its clock, if it stands, waits for a plan; prep says so
     nck_halt_t *halt;       // of the axes beside the path, in work or at its rest; NULL: none
     uint64_t k;             // periods since time began to count
     double t_cell;          // when the cell begins [s]
@@ -78,6 +79,10 @@ void nck_interpolate_stop(nck_interpolate_t *self, nck_halt_t *halt);
 // tail where prep is not seen any more; it sets off again when that is over. A pass of a thread
 // and a rest end as they would. Cost: constant. Context: tick.
 void nck_interpolate_watch(nck_interpolate_t *self, int asks, int planned, uint32_t steps);
+
+// 1: an answer to the operator is made while the clock stands, which waits for it, 250 periods at
+// most; 0: there is none. Cost: constant. Context: prep.
+void nck_interpolate_keep(nck_interpolate_t *self, uint32_t on);
 
 // What the clock does, an nck_clock_state_t; it runs where there is no plan. Cost: constant.
 // Context: any.
