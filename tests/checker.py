@@ -31,6 +31,7 @@ SHARE = 1e-6  # how far a limit may be passed
 # of a plan that it follows (csrc/nck/tick/6_interpolate/README.md, "The clock").
 LATE_SHARE = 0.05
 OPTIMAL = 2  # nck_slope_kind_t
+JERK_LIMITED = (1, OPTIMAL)
 STRETCH = 2.5  # a smoothed path may be as much longer than its coordinate somewhere
 ROUNDING = 8 * 2.0**-52  # of a coordinate, 8 ulp at most; felt in accelerations by 1/T²
 PATH_ERROR_MM = 1e-6
@@ -162,6 +163,7 @@ class Checker:
         self._s, self._block, self._settled = np.zeros(3), np.zeros(3, np.intp), 0
         self._visits = Visits(self.path, self._poses[0]) if visits else None
         self._clocked_before = self._clocked_next = np.zeros(3, bool)
+        self._smoothed = np.zeros(3, bool)
         self._exact = np.concatenate(
             [[0], np.cumsum((self.path.length > 0) & ~self.path.keeps_jerk)]
         )
@@ -187,8 +189,9 @@ class Checker:
         self._axis_limits(poses, joints, block)
         s = rows["pose"]["s"]
         way = np.linalg.norm(np.diff(np.concatenate([self._poses[-1:], poses]), axis=0), axis=1)
-        clocked = self._is_clocked(block)
-        self._along_limits(poses, clocked)
+        smoothed = (self.path.tolerance[block] > 0) & (self.path.length[block] > 0)
+        clocked = smoothed & (self._limits.slope == OPTIMAL)
+        self._along_limits(poses, smoothed & (self._limits.slope in JERK_LIMITED))
         self._progress(s, poses, np.where(clocked, 0, way), clocked)
         self._feed(s, way, clocked)
         self._on_path(block, s, poses)
@@ -283,19 +286,16 @@ class Checker:
         self._settled = int(age[-1]) + 1
         return smoothed | ((self.path.length[block] > 0) & (age >= SETTLED))
 
-    def _is_clocked(self, block):
-        """Return where the path is clocked: its coordinate is the program's, not its length."""
-        moves = (self.path.tolerance[block] > 0) & (self.path.length[block] > 0)
-        return moves & (self._limits.slope == OPTIMAL)
-
-    def _along_limits(self, poses, clocked):
-        """What of acceleration and jerk lies along a clocked path keeps to the path's own limits.
+    def _along_limits(self, poses, smoothed):
+        """What of acceleration and jerk lies along a smoothed path keeps to the path's own limits.
 
         The direction is that of the chord over the same poses: where it turns by the angle φ within
-        them, what lies across leaks in by φ²/8 at most.
+        them, what lies across leaks in by φ²/8 at most. A step is a chord, too, shorter than its way
+        by φ²/24: that much may come and go from one to the next.
         """
         limits, track = self._limits, np.concatenate([self._poses, poses])
-        here = np.concatenate([self._clocked_before, clocked])
+        here = np.concatenate([self._smoothed, smoothed])
+        self._smoothed = here[-3:]
         bounds = ((limits.a_max, limits.path_a_max), (limits.j_max, limits.path_j_max))
         for order, (of_axes, most) in enumerate(bounds, 1):
             if most >= np.linalg.norm(of_axes[limits.present]) * (1 - SHARE):
@@ -307,6 +307,9 @@ class Checker:
             turn = np.linalg.norm(_units(step[order:]) - _units(step[:-order]), axis=1)
             noise = SUMS[order] * ROUNDING * np.abs(poses).max() / limits.period_s ** (order + 1)
             more = noise + turn**2 / 8 * np.linalg.norm(rate, axis=1)
+            if order == 1:
+                way = np.linalg.norm(step, axis=1)
+                more += np.maximum(way[1:], way[:-1]) * turn**2 / 24 / limits.period_s**2
             more += self._late_more(order, most)
             judged = here[3:]
             for k in range(1, order + 2):

@@ -13,6 +13,10 @@
 // A spline is parted if |p″|v² changes by more than this share of an axis' acceleration.
 #define PART_CHANGE 0.02
 
+// Beyond rounding: |dp/ds|² of a line that is longer than its coordinate, since a corner of it is
+// moved to the outside of its tolerance.
+#define LONGER (1.0 + 1e-12)
+
 static void cap_feed(nck_joint_t *joint, double v, int limit) {
     if (v < joint->v_max) {
         joint->v_max = v;
@@ -26,6 +30,21 @@ static void cap_speed(nck_joint_t *joint, double v, int limit) {
         joint->v_free = v;
         joint->limit_free = (uint8_t)limit;
     }
+}
+
+// Rows of a bend: the axes', and the path's own.
+static int bent_rows(const nck_terms_t *terms) {
+    return terms->limits_jerk && terms->limits_path ? terms->axes + 1 : terms->axes;
+}
+
+static double row_a(const nck_terms_t *terms, int x) {
+    const nck_machine_t *const machine = terms->machine;
+    return x < terms->axes ? machine->axis[x].a_max : machine->path.a_max;
+}
+
+static double row_j(const nck_terms_t *terms, int x) {
+    const nck_machine_t *const machine = terms->machine;
+    return x < terms->axes ? machine->axis[x].j_max : machine->path.j_max;
 }
 
 // How much of the path speed an axis sees at most: its direction cosine, on an arc the largest one.
@@ -47,12 +66,14 @@ static inline void cap_by_axes(nck_joint_t *joint, const nck_seg_t *seg, const d
     const nck_machine_t *const machine = terms->machine;
     double v = NCK_UNLIMITED;
     double a_straight = NCK_UNLIMITED;
-    double j = terms->j_max;
+    double cc = 0.0;
+    double j = NCK_UNLIMITED;
     int slowest = NCK_AXIS_X;
     for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
         const double c = is_line ? nck_fabs(t_in[x]) : largest_cosine(joint, seg, x, t_in, t_out);
         if (!(c > 0.0)) continue;
+        cc += c * c;
         const double v_axis = nck_limit_along(seg->rapid ? axis->rapid : axis->v_max, c);
         if (v_axis < v) slowest = x;
         v = nck_min(v, v_axis);
@@ -65,9 +86,10 @@ static inline void cap_by_axes(nck_joint_t *joint, const nck_seg_t *seg, const d
         }
     }
     cap_speed(joint, v, seg->rapid ? NCK_LIMIT_RAPID : NCK_LIMIT_AXIS_V + slowest);
-    joint->a_most = nck_min(machine->path.a_max, a_straight);
+    const double longer = is_line && cc > LONGER ? nck_sqrt(cc) : 1.0;
+    joint->a_most = nck_min(machine->path.a_max / longer, a_straight);
     if (seg->kind != NCK_SEG_SPLINE) joint->shape.arc.a_straight = a_straight;
-    joint->j_straight = j;
+    joint->j_straight = nck_min(terms->j_max / longer, j);
 }
 
 static int is_curved(const nck_joint_t *joint) {
@@ -88,23 +110,58 @@ static void make_arc(nck_joint_t *joint, const nck_seg_t *seg, const nck_machine
     cap_speed(joint, v / cos_lambda, NCK_LIMIT_CHORD);
 }
 
+// Σ u_x v_x.
+static double product(const double *u, const double *v, int axes) {
+    double sum = 0.0;
+    for (int x = 0; x < axes; x++) sum += u[x] * v[x];
+    return sum;
+}
+
+// The same along the path: of p″ and p‴ what lies in the direction of p′ at both ends, and what a
+// direction leaves of their length that turns by so much between them. Where p′ is nothing it is
+// all of it.
+static void bound_along(nck_joint_bend_t *bend, double (*at)[2][NCK_AXIS_MAX],
+                        const double *third, int axes) {
+    const double whole[2] = {nck_sqrt(product(bend->second, bend->second, axes)),
+                             nck_sqrt(product(bend->third, bend->third, axes))};
+    double turn = 1.0;
+    double along[2] = {0.0, 0.0};
+    double size[2];
+    for (int k = 0; k < 2; k++) size[k] = nck_sqrt(product(at[k][0], at[k][0], axes));
+    if (size[0] * size[1] > 0.0) {
+        const double cosine = product(at[0][0], at[1][0], axes) / (size[0] * size[1]);
+        turn = cosine > 0.0 ? nck_sqrt(nck_max(0.0, 2.0 - 2.0 * cosine)) : 1.0;
+        for (int k = 0; k < 2; k++) {
+            const double second = product(at[k][0], at[k][1], axes) / size[k];
+            const double twist = product(at[k][0], third, axes) / size[k];
+            along[0] = nck_max(along[0], nck_fabs(second));
+            along[1] = nck_max(along[1], nck_fabs(twist));
+        }
+    }
+    bend->first[axes] = nck_sqrt(product(bend->first, bend->first, axes));
+    bend->second[axes] = nck_min(whole[0], along[0] + turn * whole[0]);
+    bend->third[axes] = nck_min(whole[1], along[1] + turn * whole[1]);
+}
+
 // The largest of each axis' derivatives on a spline between two places: |p″| at one of them, |p‴|
 // the same everywhere, and |p′|, a parabola, above its chord by no more than |p‴|·h²/8.
 static void bound_spline(nck_joint_t *joint, const nck_seg_t *seg, const double span[2],
                          const nck_terms_t *terms) {
     double at[2][2][NCK_AXIS_MAX];
+    double third[NCK_AXIS_MAX];
     for (int k = 0; k < 2; k++) {
         nck_path_tangent_part(seg, span[k], terms->axes, at[k][0]);
         nck_path_second_part(seg, span[k], terms->axes, at[k][1]);
     }
     nck_joint_bend_t *const bend = &joint->shape.bend;
-    nck_path_third_part(seg, 0.0, terms->axes, bend->third);
+    nck_path_third_part(seg, 0.0, terms->axes, third);
     for (int x = 0; x < terms->axes; x++) {
-        bend->third[x] = nck_fabs(bend->third[x]);
+        bend->third[x] = nck_fabs(third[x]);
         const double bulge = bend->third[x] * joint->length * joint->length / 8.0;
         bend->first[x] = nck_max(nck_fabs(at[0][0][x]), nck_fabs(at[1][0][x])) + bulge;
         bend->second[x] = nck_max(nck_fabs(at[0][1][x]), nck_fabs(at[1][1][x]));
     }
+    if (bent_rows(terms) > terms->axes) bound_along(bend, at, third, terms->axes);
 }
 
 // Speed over a smooth piece: chord error, and what bends cost of every axis' acceleration and jerk.
@@ -112,15 +169,15 @@ static void make_spline(nck_joint_t *joint, const nck_terms_t *terms) {
     const nck_machine_t *const machine = terms->machine;
     double bend = 0.0;
     double twist = NCK_UNLIMITED;
-    for (int x = 0; x < terms->axes; x++) {
-        const nck_axis_t *const axis = &machine->axis[x];
+    for (int x = 0; x < bent_rows(terms); x++) {
         const double second = joint->shape.bend.second[x];
         const double third = joint->shape.bend.third[x];
-        bend += second * second;
+        if (x < terms->axes) bend += second * second;
         if (second > 0.0) {
-            cap_speed(joint, nck_sqrt(nck_budget_curve(axis->a_max, second)), NCK_LIMIT_CURVATURE);
+            const double vv = nck_budget_curve(row_a(terms, x), second);
+            cap_speed(joint, nck_sqrt(vv), NCK_LIMIT_CURVATURE);
         }
-        if (third > 0.0) twist = nck_min(twist, nck_budget_twist(axis->j_max, third));
+        if (third > 0.0) twist = nck_min(twist, nck_budget_twist(row_j(terms, x), third));
     }
     if (bend > 0.0) {
         const double delta = machine->path.chord_error;
@@ -329,16 +386,14 @@ static void settle_arc(const nck_joint_t *joint, nck_pace_t *at, const nck_terms
 }
 
 static double accel_left(const nck_joint_t *joint, double v, const nck_terms_t *terms) {
-    const nck_machine_t *const machine = terms->machine;
     const nck_joint_bend_t *const bend = &joint->shape.bend;
     double a = joint->a_most;
-    for (int x = 0; x < terms->axes; x++) {
-        const nck_axis_t *const axis = &machine->axis[x];
+    for (int x = 0; x < bent_rows(terms); x++) {
         if (!(bend->first[x] > 0.0)) continue;
-        a = nck_min(a, nck_budget_accel(axis->a_max, bend->first[x], bend->second[x], v));
+        a = nck_min(a, nck_budget_accel(row_a(terms, x), bend->first[x], bend->second[x], v));
         // At rest a bend costs nothing.
         if (!terms->limits_jerk || !(bend->second[x] * v > 0.0)) continue;
-        a = nck_min(a, nck_budget_ramp(axis->j_max, bend->second[x], bend->third[x], v));
+        a = nck_min(a, nck_budget_ramp(row_j(terms, x), bend->second[x], bend->third[x], v));
     }
     return a;
 }
@@ -347,9 +402,9 @@ double nck_joint_bends(const nck_joint_t *joint, const nck_terms_t *terms) {
     double least = NCK_UNLIMITED;
     if (is_curved(joint)) return joint->shape.arc.j_plane / joint->shape.arc.kappa;
     if (joint->kind != NCK_SEG_SPLINE) return least;
-    for (int x = 0; x < terms->axes; x++) {
+    for (int x = 0; x < bent_rows(terms); x++) {
         const double second = joint->shape.bend.second[x];
-        if (second > 0.0) least = nck_min(least, terms->machine->axis[x].j_max / second);
+        if (second > 0.0) least = nck_min(least, row_j(terms, x) / second);
     }
     return least;
 }
@@ -361,14 +416,13 @@ double nck_joint_left(const nck_joint_t *joint, double w, const nck_terms_t *ter
 // What a spline's bends leave of all axes' acceleration and jerk at speed v.
 static void limit_spline(const nck_joint_t *joint, nck_pace_t *at, double v,
                          const nck_terms_t *terms) {
-    const nck_machine_t *const machine = terms->machine;
     const nck_joint_bend_t *const bend = &joint->shape.bend;
     at->a = accel_left(joint, v, terms);
     at->j = joint->j_straight;
-    for (int x = 0; terms->limits_jerk && x < terms->axes; x++) {
+    for (int x = 0; terms->limits_jerk && x < bent_rows(terms); x++) {
         if (!(bend->first[x] > 0.0)) continue;
-        at->j = nck_min(at->j, nck_budget_jerk(machine->axis[x].j_max, bend->first[x],
-                                               bend->second[x], bend->third[x], v, at->a));
+        at->j = nck_min(at->j, nck_budget_jerk(row_j(terms, x), bend->first[x], bend->second[x],
+                                               bend->third[x], v, at->a));
     }
 }
 

@@ -65,12 +65,13 @@ typedef struct nck_joint_arc {
     double kappa;         // in-plane acceleration = v²·kappa [1/mm]
 } nck_joint_arc_t;
 
-// Where a part of a spline begins, and bounds on its derivatives, by axis.
+// Where a part of a spline begins, and bounds on its derivatives: of every axis and, where the
+// path's own limits bind, behind them of what is along the path.
 typedef NCK_SMOOTH_STATE nck_joint_bend {
-    double s;                    // in its seg [path mm]
-    double first[NCK_AXIS_MAX];  // |p′|
-    double second[NCK_AXIS_MAX]; // |p″| [1/mm]
-    double third[NCK_AXIS_MAX];  // |p‴| [1/mm²]
+    double s;                        // in its seg [path mm]
+    double first[NCK_AXIS_MAX + 1];  // |p′|
+    double second[NCK_AXIS_MAX + 1]; // |p″| [1/mm]
+    double third[NCK_AXIS_MAX + 1];  // |p‴| [1/mm²]
 } nck_joint_bend_t;
 
 // What only some kinds of seg have.
