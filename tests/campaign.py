@@ -61,6 +61,7 @@ PARTS = {
     "limits": ["tests/new_limits.py 3000 {seed}"],
     "clocked": ["tests/clocked.py 1000 {seed}", "tests/clocked.py stops 2000 {seed}",
                 "tests/clocked.py offs 1000 {seed}",
+                "tests/slope/test_lowered_feeds.py 2000 {seed}",
                 "tests/kernel/nasty.py --slope optimal --count 4000 --seed {seed}"],
     "scripts": ["build/gcc/tests_kernel test_script 24000 {seed}",
                 "build/gcc/tests_kernel test_session 20000 {seed}",

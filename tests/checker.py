@@ -307,9 +307,9 @@ class Checker:
             turn = np.linalg.norm(_units(step[order:]) - _units(step[:-order]), axis=1)
             noise = SUMS[order] * ROUNDING * np.abs(poses).max() / limits.period_s ** (order + 1)
             more = noise + turn**2 / 8 * np.linalg.norm(rate, axis=1)
-            if order == 1:
-                way = np.linalg.norm(step, axis=1)
-                more += np.maximum(way[1:], way[:-1]) * turn**2 / 24 / limits.period_s**2
+            way = np.linalg.norm(step, axis=1)
+            short = np.maximum(way[order:], way[:-order]) * (turn / order) ** 2 / 24
+            more += order * short / limits.period_s ** (order + 1)
             more += self._late_more(order, most)
             judged = here[3:]
             for k in range(1, order + 2):
