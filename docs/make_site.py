@@ -25,7 +25,7 @@ SECTIONS = {
                   "docs/words", "docs/cycles", "docs/shops", "docs/controls", "docs/controller",
                   "docs/serve", "docs/linuxcnc", "docs/moving", "docs/size", "docs/glossary",
                   "api_python", "api_c"),
-    "Lab": ("docs/jerk", "docs/planner", "docs/stops", "docs/grades", "docs/parallel",
+    "Lab": ("docs/planner", "docs/stops", "docs/grades", "docs/parallel",
             "docs/opencl", "docs/papers"),
 }  # fmt: skip
 # Doxygen takes comments of three slashes: the house writes two.

@@ -17,6 +17,7 @@ static void write_out(void *user, const char *bytes, uint32_t n) {
 static void on_output(void *user, const nck_output_t *output) {
     host_serve_t *const self = user;
     serve_output(&self->serve, output);
+    if (self->serve.beside) inputs_output(&self->inputs, output);
 }
 
 nck_status_t host_serve_init(host_serve_t *self, nck_t *nck, const nck_machine_t *machine) {
@@ -103,6 +104,13 @@ static void note(host_serve_t *self, const nck_axes_t *before) {
     }
 }
 
+// The spindle as commanded, by the operator's override, too.
+static void turn(host_serve_t *self) {
+    const double rpm = self->serve.tick.rpm * serve_spindle(&self->serve) / 100.0;
+    const uint32_t turns = self->serve.tick.turns;
+    host_switches_turn(&self->switches, turns == 0 ? 0.0 : turns == 1 ? rpm : -rpm);
+}
+
 static void prepare(host_serve_t *self, uint32_t steps) {
     self->status = NCK_OK;
     for (uint32_t k = 0; k < steps && self->status == NCK_OK; k++) {
@@ -115,6 +123,7 @@ void host_serve_run(host_serve_t *self, uint32_t ticks, uint32_t steps) {
         const nck_axes_t before = self->axes;
         let_in(self);
         prepare(self, steps);
+        turn(self);
         (void)inputs_tick(&self->inputs, host_switches_read(&self->switches));
         (void)nck_tick(self->nck, &self->pose, &self->axes);
         serve_tick(&self->serve, &self->pose);

@@ -2,6 +2,7 @@
 // Switches of a machine that is not there.
 #include "host_switches.h"
 
+#include <math.h>   // copysign fabs
 #include <string.h> // memset
 
 enum { INPUTS = 32, LONG = 1 << 30 };
@@ -47,7 +48,15 @@ static uint32_t closed_now(const host_switches_t *self) {
         closed |= is_home << HAL_IN_SECOND;
     }
     if (self->real_nm[NCK_AXIS_Z] <= self->plate_nm) closed |= 1u << HAL_IN_PROBE;
+    if (self->rpm != self->rpm_wanted) closed |= 1u << HAL_IN_SLOW;
     return closed;
+}
+
+void host_switches_turn(host_switches_t *self, double wanted) {
+    const double way = wanted - self->rpm;
+    const int at_once = self->rpm_tick == 0.0 || fabs(way) <= self->rpm_tick;
+    self->rpm_wanted = wanted;
+    self->rpm = at_once ? wanted : self->rpm + copysign(self->rpm_tick, way);
 }
 
 static uint32_t coin(host_switches_t *self) {

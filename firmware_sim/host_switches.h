@@ -20,7 +20,9 @@ typedef struct host_switches {
     int64_t plate_nm;            // the probe touches at this Z and below
     uint32_t bounce;             // ticks for which a switch that changes reads at random
     uint32_t broken;             // inputs whose wire is broken
-    uint32_t pushed;             // inputs that somebody holds: door, emergency stop
+    uint32_t pushed;             // inputs that somebody holds: door, emergency stop, ports
+    double rpm_tick;             // by which the spindle's speed can change in a tick; 0: at once
+    double rpm_wanted, rpm;      // of it: commanded, and as it turns; M4 is below 0
     uint64_t seed;
     uint32_t closed;             // as they are, without bounce
     uint32_t since[32];          // ticks that an input has not changed
@@ -32,6 +34,9 @@ typedef struct host_switches {
 
 // No switches; the real axes are where the kernel believes them. Cost: constant. Context: any.
 void host_switches_init(host_switches_t *self, const nck_t *nck);
+
+// The spindle turns a tick towards what is wanted. Cost: constant. Context: tick.
+void host_switches_turn(host_switches_t *self, double wanted);
 
 // What the inputs read. Once a tick. Cost: linear in the inputs. Context: tick, before nck_tick.
 uint32_t host_switches_read(host_switches_t *self);

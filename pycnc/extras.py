@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Packages that one job needs and everything else does without."""
+"""What one job needs and everything else does without: packages, and rooms of the source tree."""
 
 import importlib
 
@@ -35,4 +35,27 @@ def need(name):
         job, extra = _JOBS[package]
         raise errors.AbsentError(
             f'{job} {package} ({cause}): pip install "pycnc-nck[{extra}]"', id="absent"
+        ) from None
+
+
+def of_tree(name):
+    """Import a room that the source tree has and a wheel has not.
+
+    Parameters
+    ----------
+    name : str
+        Of a package, such as ``"pycnc.bench"``.
+
+    Raises
+    ------
+    AbsentError
+        If this is no checkout.
+    """
+    try:
+        return importlib.import_module(name)
+    except ModuleNotFoundError as cause:
+        if cause.name != name:
+            raise
+        raise errors.AbsentError(
+            f"{name} is in the source tree alone: run this in a checkout of pycnc", id="absent"
         ) from None

@@ -19,7 +19,8 @@ printed before it. The exit status is the number of parts that found something.
     clocked     1 000 programs, 2 000 rests and 4 000 nasty programs along clocked paths (they find
                 some yet)
     scripts     24 000 random scripts of the front door, 100 000 programs; 20 000 sessions with
-                wrong lines in them; 4 000 whose modes at the tool are known
+                wrong lines in them; 4 000 whose modes at the tool are known; 1 000 that wait for
+                a spindle and for M66
     serve       in grbl's protocol 500 random streams, 20 000 jogs cancelled, 2 000 times noise,
                 3 000 senders that mean no good, 5 000 with doors and holds at any moment
     senders     CNCjs and bCNC from their packages, in front of a served machine
@@ -61,22 +62,26 @@ PARTS = {
     "limits": ["tests/new_limits.py 3000 {seed}"],
     "clocked": ["tests/clocked.py 1000 {seed}", "tests/clocked.py stops 2000 {seed}",
                 "tests/clocked.py offs 1000 {seed}",
+                "tests/slope/test_lowered_feeds.py 2000 {seed}",
                 "tests/kernel/nasty.py --slope optimal --count 4000 --seed {seed}"],
     "scripts": ["build/gcc/tests_kernel test_script 24000 {seed}",
                 "build/gcc/tests_kernel test_session 20000 {seed}",
                 "build/gcc/tests_kernel test_stop 20000 {seed}",
-                "build/gcc/tests_kernel test_executed 4000 {seed}"],
+                "build/gcc/tests_kernel test_executed 4000 {seed}",
+                "build/gcc/tests_kernel test_await 1000 {seed}"],
     "serve": ["build/gcc/tests_controller test_pulse 2000 {seed}",
               "build/gcc/tests_controller test_square 2000 {seed}",
               "build/gcc/tests_controller test_drive 1000 {seed}",
               "tests/controller/switching_runs.py homes 1000 {seed}",
               "tests/controller/switching_runs.py probes 1000 {seed}",
               "tests/controller/switching_runs.py limits 1000 {seed}",
+              "tests/controller/switching_runs.py waits 1000 {seed}",
               "tests/controller/serving_runs.py streams 500 {seed}",
               "tests/controller/serving_runs.py jogs 1000 {seed}",
               "tests/controller/serving_runs.py bytes 2000 {seed}",
               "tests/controller/serving_runs.py modes 500 {seed}",
               "tests/controller/serving_runs.py resets 1000 {seed}",
+              "tests/controller/serving_runs.py returns 1000 {seed}",
               "tests/controller/hostile_runs.py storms 3000 {seed}",
               "tests/controller/hostile_runs.py doors 5000 {seed}",
               "tests/controller/serving_runs.py brakes 1000 {seed}",

@@ -116,6 +116,22 @@ def operated(seed):
     return [*commands, (tick + 2000, "override", 100, 100)]
 
 
+def slowed(seed):
+    """Return what an operator does who lowers overrides around holds: before they rest, at rest,
+    and as the tool sets off."""
+    rng, tick, commands = np.random.default_rng([11, seed]), 0, []
+    for _ in range(int(rng.integers(1, 5))):
+        hold = tick + int(10 ** rng.uniform(1.5, 3.2))
+        lowered, resumed = hold + int(rng.integers(-30, 600)), hold + int(rng.integers(10, 600))
+        tick = max(lowered, resumed)
+        some = [(hold, "hold"), (resumed, "resume"),
+                (max(lowered, 0), "override", int(rng.integers(1, 60)), 100)]  # fmt: skip
+        commands += sorted(some)
+        tick += int(rng.integers(1, 800))
+        commands.append((tick, "override", 100, 100))
+    return commands
+
+
 def findings(seed, make=text_of, operate=None):
     """Return what is wrong with the run of a seed's program, in words; empty: nothing."""
     machine = machine_of(seed)

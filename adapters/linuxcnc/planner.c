@@ -7,7 +7,7 @@
 
 #include "back.h"   // back_begin
 #include "feed.h"   // feed_prepare
-#include "rates.h"  // rates_measure rates_hear
+#include "rates.h"  // rates_measure rates_hear rates_keep_behind
 #include "thread.h" // thread_begins thread_cycle
 
 // ---- to and from the kernel
@@ -420,6 +420,7 @@ static void tell_move(planner_t *self, const nck_pose_t *pose, int single) {
     }
     self->at = self->skipped + (self->moves.back ? -pose->s : pose->s);
     told->to_go = fmax(0.0, move->way - self->at);
+    if (!single && self->moved && rates_keep_behind(self)) told->between = 1;
     for (int k = 0; k < MOVES_AXES; k++) told->dtg[k] = move->end[k] - told->place[k];
     if (self->state == PLANNER_READY) self->passed = move->count - 1;
     if (known && self->state == PLANNER_READY) moves_pass(&self->moves, pose->line);

@@ -87,7 +87,7 @@ typedef struct planner_wish {
 // What is told of a cycle.
 typedef struct planner_told {
     uint32_t move;     // count of the move in work; valid if not done
-    uint32_t between;     // 1: single block rests at the end of that move
+    uint32_t between;     // 1: single block, or an override of none, rests at the end of that move
     double place[MOVES_AXES];
     double dtg[MOVES_AXES]; // to the move's end
     double to_go;      // the same along the path [mm]

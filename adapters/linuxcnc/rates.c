@@ -208,6 +208,13 @@ void rates_hear(planner_t *self, const planner_wish_t *wish) {
     nck_set_speed(&self->nck, speed);
 }
 
+int rates_keep_behind(const planner_t *self) {
+    static const double rounding = 1e-5; // [mm]
+    const planner_told_t *const told = &self->told;
+    const int none = !(self->wish.feed > 0.0) || !(self->wish.rapid > 0.0);
+    return none && !self->paused && !(told->v > 0.0) && told->to_go < rounding;
+}
+
 // ---- moves on their way to the kernel
 
 static int has_feed(const move_t *move) { return move->kind <= MOVE_CHORDS && move->feed > 0.0; }

@@ -13,6 +13,10 @@ void rates_measure(planner_t *self, const planner_wish_t *wish);
 // Tell the kernel what is wanted of it. Cost: linear in the moves that it has.
 void rates_hear(planner_t *self, const planner_wish_t *wish);
 
+// 1 if an override of none keeps the tool at the end of the move in work: the next one's is its own
+// (M49). Cost: constant.
+int rates_keep_behind(const planner_t *self);
+
 // 1 if the entry that the kernel is to take next has a feed of the other sort than those it has, by
 // the minute and by the revolution: those are executed before. Cost: constant.
 int rates_wait(const planner_t *self);

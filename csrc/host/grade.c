@@ -5,11 +5,11 @@
 #include <float.h>  // DBL_MAX
 #include <string.h> // memset
 
-#include "host/grade_math.h"            // nck_grade_…
-#include "nck/base/envelope_math.h"     // nck_envelope_h
-#include "nck/base/path_math.h"         // nck_path_turns
-#include "nck/prep/4_lookahead/joint.h" // nck_joint_make
-#include "nck/prep/5_slope/slope.h"     // nck_slope_terms
+#include "host/grade_math.h"               // nck_grade_…
+#include "nck/base/envelope_math.h"        // nck_envelope_h
+#include "nck/base/path_math.h"            // nck_path_turns
+#include "nck/prep/4_lookahead/junction.h" // nck_junction_make
+#include "nck/prep/5_slope/slope.h"        // nck_slope_terms
 
 // A length within this share of a border is at it.
 #define LENGTH_EPSILON 1e-9
@@ -66,16 +66,16 @@ nck_status_t nck_host_grade_command(nck_host_grades_t *self) {
     nck_slope_terms(&machine, &terms);
     for (size_t i = 0; i < self->seg_count; i++) {
         const nck_seg_t *const seg = &self->segs[i];
-        nck_joint_t joint;
+        nck_junction_t junction;
         const double whole[2] = {0.0, seg->length};
         double start[NCK_AXIS_MAX];
         double end[NCK_AXIS_MAX];
         self->bad = i;
         if (!is_good_seg(seg)) return NCK_E_ARGUMENT;
-        const double *const begin = nck_joint_tangents(seg, terms.axes, start, end);
-        nck_joint_make(&joint, seg, whole, begin, end, &terms);
-        self->v_command[i] = joint.v_max;
-        self->limit[i] = joint.limit;
+        const double *const begin = nck_junction_tangents(seg, terms.axes, start, end);
+        nck_junction_make(&junction, seg, whole, begin, end, &terms);
+        self->v_command[i] = junction.v_max;
+        self->limit[i] = junction.limit;
     }
     return NCK_OK;
 }

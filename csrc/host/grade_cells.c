@@ -47,7 +47,7 @@ static void begin_unit(const nck_host_grades_t *self, nck_host_grade_cursor_t *c
     add_phase(cursor, ramp, peak, 0.0);
 }
 
-// What holds the speed in the unit: acceleration while it changes; the unit itself or a joint at
+// What holds the speed in the unit: acceleration while it changes; the unit itself or a junction at
 // one of its ends while it does not.
 static uint8_t held_by(const nck_host_grades_t *self, const nck_host_grade_cursor_t *cursor,
                        double a) {
@@ -59,8 +59,8 @@ static uint8_t held_by(const nck_host_grades_t *self, const nck_host_grade_curso
     if (cursor->phases > 1 || g >= nck_grade_of(&stretch->rule, v * v)) {
         return self->unit_limit[cursor->unit];
     }
-    const int at_joint = self->preplanned[point] == g || self->preplanned[point + 1] == g;
-    return at_joint ? NCK_LIMIT_CORNER : NCK_LIMIT_ACCEL;
+    const int at_junction = self->preplanned[point] == g || self->preplanned[point + 1] == g;
+    return at_junction ? NCK_LIMIT_CORNER : NCK_LIMIT_ACCEL;
 }
 
 // v² at the length `at` of the phase under way.

@@ -57,8 +57,8 @@ static inline nck_real nck_transfer_speed(const nck_real *in, const nck_real *ou
 }
 
 // The transfer speed between two units that meet at the end of seg `in`, the start of seg `out`.
-static inline nck_real nck_transfer_joint(NCK_IN nck_seg_t *in, NCK_IN nck_seg_t *out,
-                                          NCK_IN nck_grade_rule_t *rule, nck_real v,
+static inline nck_real nck_transfer_junction(NCK_IN nck_seg_t *in, NCK_IN nck_seg_t *out,
+                                             NCK_IN nck_grade_rule_t *rule, nck_real v,
                                           int *axis_out) {
     nck_real t_in[NCK_AXIS_MAX];
     nck_real t_out[NCK_AXIS_MAX];

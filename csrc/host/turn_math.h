@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The joint of two planning units: its linking vector angle and its transfer speed.
+// The junction of two planning units: its linking vector angle and its transfer speed.
 #ifndef NCK_HOST_TURN_MATH_H
 #define NCK_HOST_TURN_MATH_H
 
@@ -7,7 +7,7 @@
 #include "host/unit.h"  // nck_unit_t nck_grade_rule_t
 #include "nck/base/records.h"                   // nck_seg_t nck_unit_t nck_grade_rule_t
 #include "host/angle_math.h"    // nck_angle_…
-#include "host/transfer_math.h" // nck_transfer_tangent nck_transfer_joint
+#include "host/transfer_math.h" // nck_transfer_tangent nck_transfer_junction
 
 // 1 if nothing but the axes of mask (a bit each) moves along a seg.
 static inline int nck_turn_moves_only(NCK_IN nck_seg_t *seg, uint32_t mask) {
@@ -69,7 +69,7 @@ static inline nck_real nck_turn_transfer(NCK_IN nck_seg_t *segs, NCK_IN nck_unit
     *angle_out = (nck_real)0;
     if (in->seg_end == out->seg) return v;
     *angle_out = nck_turn_angle(&segs[in->seg_end], &segs[out->seg]);
-    return nck_transfer_joint(&segs[in->seg_end], &segs[out->seg], rule, v, &axis);
+    return nck_transfer_junction(&segs[in->seg_end], &segs[out->seg], rule, v, &axis);
 }
 
 #endif

@@ -297,6 +297,13 @@ nck_status_t nck_probed(nck_t *nck, const nck_halt_t *halt) {
     return nck_decode_probed(&nck->decode, halt ? at_nm : NULL);
 }
 
+nck_status_t nck_answered(nck_t *nck, double value) {
+    if (!nck->decode.session.before || !nck_decode_is_empty(&nck->decode)) return NCK_E_STATE;
+    return nck_decode_answered(&nck->decode, value);
+}
+
+void nck_await(nck_t *nck, uint32_t on) { nck_interpolate_await(&nck->interpolate, on); }
+
 // ---- what it tells
 
 void nck_set_spindle(nck_t *nck, double turns) {
@@ -391,6 +398,38 @@ void nck_asked(const nck_t *nck, nck_command_t *command_out) {
     command_out->single_block = nck_fence_load(&command->single_block);
     command_out->resumes = nck_fence_load(&command->resumes);
     command_out->abort = nck_fence_load(&command->abort);
+}
+
+// An override of none asks for a rest, which a clock that stands has brought.
+static uint32_t moving(uint32_t asked, uint32_t before) { return asked > 0 ? asked : before; }
+
+// Along a clocked path the tick rests by its own clock, and counts on the plan in force: nothing
+// else is heard then, and an answer in work is not wanted any more. While the clock stands any plan
+// may come that moves.
+static void hear_clock(const nck_command_t *planned, uint32_t clock, nck_command_t *heard) {
+    const nck_command_t asked = *heard;
+    *heard = *planned;
+    heard->resumes = asked.resumes;
+    if (clock != NCK_CLOCK_STANDS) return;
+    heard->hold &= asked.hold;
+    heard->single_block = asked.single_block;
+    heard->feed_ppm = moving(asked.feed_ppm, planned->feed_ppm);
+    heard->rapid_ppm = moving(asked.rapid_ppm, planned->rapid_ppm);
+    heard->speed_um_s = moving(asked.speed_um_s, planned->speed_um_s);
+}
+
+void nck_hear(nck_t *nck, uint32_t stopped) {
+    nck_command_t *const heard = &nck->wire.heard;
+    nck_command_t *const planned = NCK_OPTIMAL_OR(nck, wire.planned, wire.heard);
+    if (NCK_HAS_OPTIMAL && !nck_slope_is_answering(&nck->slope)) *planned = *heard;
+    nck_asked(nck, heard);
+    heard->hold |= stopped;
+    nck->slope.stands = 0;
+    if (!NCK_HAS_OPTIMAL || !nck_slope_is_clocked(&nck->slope)) return;
+    const uint32_t clock = nck_interpolate_clock(&nck->interpolate);
+    if (clock == NCK_CLOCK_RUNS) return;
+    nck->slope.stands = (uint32_t)(clock == NCK_CLOCK_STANDS);
+    hear_clock(planned, clock, heard);
 }
 
 uint32_t nck_invariants(const nck_t *nck) {

@@ -6,7 +6,7 @@
 
 #include <string.h> // memset
 
-#include "nck/base/real.h" // nck_larger nck_rounded
+#include "nck/base/real.h" // nck_rounded
 
 enum {
     PPM = 1000000, FEED_MOST = 2, // overrides
@@ -241,33 +241,16 @@ static inline int lacks_pieces(nck_t *nck) {
     return nck_slope_lacks(&nck->slope, &pieces);
 }
 
-// What the operator asks for. While the tick goes along a clocked path by its own clock, it counts
-// on the plan that it has and rests by itself: the slope hears later of what makes a plan slower.
-static void hear(nck_t *nck, uint32_t stopped) {
-    nck_command_t *const heard = &nck->wire.heard;
-    const nck_command_t before = *heard;
-    nck_asked(nck, heard);
-    heard->hold |= stopped;
-    if (!NCK_HAS_OPTIMAL || !nck_slope_is_clocked(&nck->slope)) return;
-    const uint32_t clock = nck_interpolate_clock(&nck->interpolate);
-    if (clock == NCK_CLOCK_RUNS) return;
-    heard->hold &= before.hold;
-    if (clock == NCK_CLOCK_STANDS) return; // any plan may be set off along
-    heard->single_block &= before.single_block;
-    heard->feed_ppm = nck_larger(heard->feed_ppm, before.feed_ppm);
-    heard->rapid_ppm = nck_larger(heard->rapid_ppm, before.rapid_ppm);
-    heard->speed_um_s = nck_larger(heard->speed_um_s, before.speed_um_s);
-}
-
 // lookahead ─▶ slope ─▶ plans and final cells.
 static nck_status_t step_slope(nck_t *nck) {
     const uint32_t stopped = is_stopped(nck);
     const uint32_t hold = nck_fence_load(&nck->command.hold) | stopped;
     if (lacks_pieces(nck) && is_heard(nck, hold)) return (nck_status_t)nck->slope.idle.status;
     const nck_pieces_t pieces = pieces_of(nck);
-    hear(nck, stopped);
+    nck_hear(nck, stopped);
     const nck_wish_t wish = wish_of(&nck->wire.heard);
     const nck_status_t status = nck_slope_step(&nck->slope, &pieces, &wish);
+    nck_interpolate_keep(&nck->interpolate, nck->slope.stands & nck->slope.answer.pending);
     drop_before(nck, nck_slope_needs(&nck->slope));
     return status;
 }

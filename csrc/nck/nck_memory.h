@@ -47,6 +47,7 @@ struct nck {
     struct {
         nck_block_t block;      // on its way from 2_toolcomp to 3_smooth
         nck_command_t heard;    // by 5_slope in its last step; hold: 1 at soft limits, too
+        NCK_OPTIMAL_MEMBER(nck_command_t, planned) // heard when the plan in force was published
         uint8_t last;           // 1: toolcomp has the last blocks
         uint8_t ended;          // 1: no more blocks: END, end of text or a program error
         uint8_t given_up;       // 1: after NCK_E_INTERNAL

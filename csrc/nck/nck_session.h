@@ -123,6 +123,19 @@ nck_status_t nck_stopped_at(const nck_t *nck, const nck_halt_t *halt, nck_axes_t
 // the parameters. Context: prep.
 nck_status_t nck_probed(nck_t *nck, const nck_halt_t *halt);
 
+// What a WAIT is for is not there yet (1): the spindle's speed behind M3, M4 and S where the
+// machine waits for it (spindle_waits), an input behind M66. The tick rests in NCK_TICK_DWELL, and
+// nck_resume ends a hold alone. 0: it is there, and the path goes on, unless it is held. Say 1 in
+// on_output, when it is told; a WAIT of which nobody says so is the operator's. nck_begin and
+// nck_go_on forget it. Cost: constant. Context: any.
+void nck_await(nck_t *nck, uint32_t on);
+
+// Behind M66: what it has found, which #5399 tells the lines that follow. A line that may ask is to
+// be pushed once M66 is executed (nck_flush). value: 1 or 0; −1: it did not come in time. Returns
+// NCK_OK; NCK_E_STATE outside of a session, and in the middle of a line. Cost: linear in the
+// parameters. Context: prep.
+nck_status_t nck_answered(nck_t *nck, double value);
+
 // Soft limits of an axis from now on, besides the travel that the program is held against: before
 // the path leaves them it comes to rest, as by a hold, as far in front as a brake may take that has
 // no more than what its bends leave at their caps. nck_resume goes on once they are wide enough.

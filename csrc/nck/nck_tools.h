@@ -58,6 +58,10 @@ const nck_node_t *nck_piece(const nck_t *nck, uint32_t i);
 // again, has it begin anew each time. Cost: constant. Context: prep.
 int nck_is_answering(const nck_t *nck);
 
+// Have the slope hear in its next step what the operator asks for, and 1 that soft limits stop the
+// path; but for what has to wait for the tick's clock. Cost: constant. Context: prep.
+void nck_hear(nck_t *nck, uint32_t stopped);
+
 // Every invariant of the kernel, for tests: 0 if all hold, else a bit (1 << k) for each room k that
 // one of them is broken in; bit 0 is the link's. Cost: linear in the capacities. Context: prep,
 // while the tick is not within a call.

@@ -11,7 +11,9 @@ typedef enum hal_input {
     HAL_IN_PROBE = 18,
     HAL_IN_DOOR = 19,
     HAL_IN_EMERGENCY = 20,
-    HAL_IN_SECOND = 21     // home of the second motor of an axis that has two
+    HAL_IN_SECOND = 21,    // home of the second motor of an axis that has two
+    HAL_IN_SLOW = 22,      // the spindle has not its speed
+    HAL_IN_PORT = 23       // and the port, 0 … 7: what M66 asks for
 } hal_input_t;
 
 #endif

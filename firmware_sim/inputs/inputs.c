@@ -55,6 +55,7 @@ int inputs_tick(inputs_t *self, uint32_t pins) {
     if (nck_fence_load(&self->squares) && self->tripped == 0) hit = square(self, now, hit);
     nck_fence_store(&self->steady, now == self->pins ? self->steady + 1 : 0);
     nck_fence_store(&self->pins, now);
+    if (self->wait.kind != INPUTS_NOTHING) inputs_wait(self);
     if (hit != 0 && self->tripped == 0) {
         nck_stop_at(self->nck, &self->halt);
         nck_fence_store(&self->tripped, hit);

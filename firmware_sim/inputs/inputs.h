@@ -48,6 +48,16 @@ typedef enum inputs_leg {
     INPUTS_LEAVE = 6   // to where homing ends
 } inputs_leg_t;
 
+// What the program waits for, by the machine's inputs.
+typedef enum inputs_wait {
+    INPUTS_NOTHING = 0,
+    INPUTS_SPEED = 1,
+    INPUTS_RISES = 2,  // M66 L1 … L4
+    INPUTS_FALLS = 3,
+    INPUTS_HIGH = 4,
+    INPUTS_LOW = 5
+} inputs_wait_t;
+
 // How far a leg is.
 typedef enum inputs_phase {
     INPUTS_PLACES = 0, // the axes are told where they stand
@@ -74,6 +84,14 @@ typedef struct inputs {
     uint32_t racked;       // 1: one has gone on alone too far; the tick writes
     double alone_from;     // where the other one has come to its switch; tick
 
+    struct {               // what a WAIT of the program is for; tick
+        uint32_t kind;     // inputs_wait_t
+        uint32_t input;    // of M66
+        uint32_t ticks;    // so far
+        uint32_t most;     // ticks until M66 gives up
+        int32_t answer;    // of the last M66: 1, 0, −1: it did not come; prep reads it
+    } wait;
+
     uint32_t probed;       // 1: the last probe has touched, …
     double probe_at[NCK_AXIS_MAX]; // there, or it has ended there [mm, deg]; prep
 
@@ -91,6 +109,15 @@ void inputs_init(inputs_t *self, nck_t *nck);
 // One period: an input that is watched stops the axes now (nck_stop_at). Returns 1 while the
 // emergency stop is pushed: then make safe. Cost: constant. Context: tick, before nck_tick.
 int inputs_tick(inputs_t *self, uint32_t pins);
+
+// What the program switches is told, as on_output is: the path waits for the spindle's speed where
+// the machine does (spindle_waits), and for the input that M66 asks for; ports above 7 read 0, and
+// nobody waits for them.
+// Cost: constant. Context: tick.
+void inputs_output(inputs_t *self, const nck_output_t *output);
+
+// One period of that wait, inputs_tick does it. Cost: constant. Context: tick.
+void inputs_wait(inputs_t *self);
 
 // From now on these stop when they close, or open; beside the limits, if those are on.
 // Cost: constant. Context: prep.

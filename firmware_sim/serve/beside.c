@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The machine's switches in the protocol: homing, probing, limits, the door. A session that has
 // none does not link this file.
+#include <stddef.h> // NULL
 #include <string.h> // memcpy
 
 #include "inputs/inputs.h"
@@ -19,14 +20,13 @@ enum {
     PROBE_MUST = 1 // bit 0 of n in G38.n: it need not meet anything
 };
 
-static const int64_t nowhere_nm[NCK_AXIS_MAX];
-
 static uint32_t is_on(const inputs_t *inputs, uint32_t input) {
     return nck_fence_load(&inputs->pins) >> input & 1u;
 }
 
 static void alarm(serve_t *self, alarm_t code) {
-    if (self->locked != code) serve_say_two(self, "ALARM:#\r\n", (int32_t)code, 0);
+    const int32_t number = (int32_t)code;
+    if (self->locked != code) serve_say_form(self, "ALARM:@\n", &number);
     self->locked = (uint8_t)code;
 }
 
@@ -37,10 +37,11 @@ static uint8_t waits_open(const serve_t *self) { return self->line.probes >= 4; 
 static int begin_probe(serve_t *self) {
     inputs_t *const inputs = self->inputs;
     const uint32_t probe = 1u << HAL_IN_PROBE;
-    if (!serve_is_idle(self)) {
+    if (!self->idle) {
         nck_flush(self->nck);
         return 0;
     }
+    if (self->line.probes == SERVE_ASKS) return 1;
     if (is_on(inputs, HAL_IN_PROBE) != waits_open(self)) {
         alarm(self, ALARM_PROBE_BEFORE);
         return 2;
@@ -53,16 +54,20 @@ static int begin_probe(serve_t *self) {
 static int say_probe(serve_t *self) {
     const inputs_t *const inputs = self->inputs;
     const int found = inputs->probed != 0;
-    serve_say_axes(self, "[PRB:", inputs->probe_at, nowhere_nm);
-    serve_say(self, found ? ":1]\r\n" : ":0]\r\n");
+    serve_say_axes(self, "[PRB:", inputs->probe_at, NULL);
+    serve_say(self, found ? ":1]\n" : ":0]\n");
     return 1;
 }
 
 static void end_probe(serve_t *self) {
     inputs_t *const inputs = self->inputs;
+    if (self->line.probes == SERVE_ASKS) {
+        (void)nck_answered(self->nck, inputs->wait.answer);
+        return;
+    }
     const int found = inputs->halt.periods > 0;
     inputs->probed = (uint32_t)found;
-    memcpy(inputs->probe_at, found ? inputs->halt.at : serve_seen(self)->at,
+    memcpy(inputs->probe_at, found ? inputs->halt.at : serve_seen(self)->pose.axis,
            sizeof inputs->probe_at);
     inputs_watch(inputs, 0, 0);
     (void)nck_probed(self->nck, found ? &inputs->halt : NULL);
@@ -82,7 +87,7 @@ static int begin_home(serve_t *self) {
 }
 
 static void go_home(serve_t *self) {
-    const inputs_result_t result = inputs_step(self->inputs, serve_is_idle(self));
+    const inputs_result_t result = inputs_step(self->inputs, self->idle);
     if (result == INPUTS_GOES) return;
     static const uint8_t alarms[] = {[INPUTS_STUCK] = ALARM_STUCK,
                                      [INPUTS_MISSED] = ALARM_NO_SWITCH,
@@ -112,7 +117,7 @@ static void heed_stop(serve_t *self) {
     if (probes) return;
     self->held = self->door = self->jogging = 0;
     self->line.error = SERVE_E_LOCKED;
-    if (self->phase != SERVE_READS) serve_answer(self);
+    if (self->phase != SERVE_READS && self->phase != SERVE_OWNS) serve_answer(self);
 }
 
 static void heed_door(serve_t *self) {
@@ -167,13 +172,13 @@ static int say_pins(serve_t *self) {
 
 static int list(serve_t *self) {
     const inputs_set_t *const set = &self->inputs->set;
-    serve_say_setting(self, LIMITS_ON, (int32_t)set->limits, 0);
-    serve_say_setting(self, HOMING_ON, (int32_t)set->homes, 0);
-    serve_say_setting(self, HOMING_SIDES, (int32_t)set->reverse, 0);
-    serve_say_setting(self, FEED, serve_round(set->feed * 1e3), 3);
-    serve_say_setting(self, SEEK, serve_round(set->seek * 1e3), 3);
-    serve_say_setting(self, DEBOUNCE, (int32_t)set->debounce, 0);
-    serve_say_setting(self, PULL_OFF, serve_round(set->pull_off * 1e3), 3);
+    serve_say_setting(self, LIMITS_ON, (int32_t)set->limits);
+    serve_say_setting(self, HOMING_ON, (int32_t)set->homes);
+    serve_say_setting(self, HOMING_SIDES, (int32_t)set->reverse);
+    serve_say_measure(self, FEED, set->feed);
+    serve_say_measure(self, SEEK, set->seek);
+    serve_say_setting(self, DEBOUNCE, (int32_t)set->debounce);
+    serve_say_measure(self, PULL_OFF, set->pull_off);
     return 1;
 }
 
@@ -194,7 +199,7 @@ static int change(serve_t *self, uint32_t number, double value) {
     }
 }
 
-static int beside(serve_t *self, uint32_t event, double value) {
+static int beside(serve_t *self, uint32_t event) {
     switch (event) {
     case SERVE_AT_STEP: return step(self);
     case SERVE_AT_PROBE: return begin_probe(self);
@@ -205,7 +210,7 @@ static int beside(serve_t *self, uint32_t event, double value) {
     case SERVE_AT_STATUS: return say_pins(self);
     case SERVE_AT_OFFSETS: return say_probe(self);
     case SERVE_AT_LIST: return list(self);
-    default: return change(self, event - SERVE_AT_SET, value);
+    default: return change(self, event - SERVE_AT_SET, self->set);
     }
 }
 
@@ -215,5 +220,5 @@ void serve_switches(serve_t *self, inputs_t *inputs) {
     inputs_watch(inputs, 0, 0);
     if (!inputs->set.homes) return;
     self->locked = SERVE_NOT_HOMED;
-    serve_say(self, "[MSG:'$H'|'$X' to unlock]\r\n");
+    serve_say(self, "[MSG:'$H'|'$X' to unlock]\n");
 }

@@ -8,8 +8,8 @@
 // Numbers of grbl's errors.
 typedef enum serve_error {
     SERVE_E_STATEMENT = 3, SERVE_E_NEGATIVE = 4, SERVE_E_DISABLED = 5, SERVE_E_BUSY = 8,
-    SERVE_E_LOCKED = 9, SERVE_E_LENGTH = 11, SERVE_E_TRAVEL = 15, SERVE_E_JOG = 16,
-    SERVE_E_CODE = 20, SERVE_E_FEED = 22
+    SERVE_E_LOCKED = 9, SERVE_E_LENGTH = 11, SERVE_E_DOOR = 13, SERVE_E_TRAVEL = 15,
+    SERVE_E_JOG = 16, SERVE_E_CODE = 20, SERVE_E_FEED = 22
 } serve_error_t;
 
 // Whatever the kernel finds wrong is one of them. Cost: constant.
@@ -21,6 +21,16 @@ void serve_look(serve_t *self);
 
 // words.c: the same of a jog's words, behind the =; makes a line of them. Returns 0 or its error.
 uint8_t serve_look_jog(serve_t *self);
+
+// Of a line that probes: it is M66.
+enum { SERVE_ASKS = 66 };
+
+// Real-time bytes; those that stop come first.
+typedef enum serve_signal {
+    SERVE_HOLD = 0, SERVE_DOOR = 1, SERVE_CANCEL = 2, SERVE_RESET = 3, SERVE_REPORT = 4,
+    SERVE_RESUME = 5, SERVE_MODES = 6, SERVE_FLOOD = 7, SERVE_MIST = 8,
+    SERVE_OVERRIDE = 9 // and above: 0x90 …
+} serve_signal_t;
 
 // A number as it is written.
 typedef struct serve_number {
@@ -34,20 +44,14 @@ int serve_number(const char **at, serve_number_t *out);
 // dollar.c: a line that begins with $, but for a jog's. Returns 0, or its error.
 uint8_t serve_command(serve_t *self);
 
-// report.c: say a text; a number, whose last so many digits stand behind its point; begin the next
-// report anew.
+// report.c: say a text, in which \n ends a line; the same, whose @ stand for whole numbers, and %
+// for those in thousandths; begin the next report anew.
 void serve_say(serve_t *self, const char *text);
-void serve_say_number(serve_t *self, int32_t value, uint32_t places);
+void serve_say_form(serve_t *self, const char *form, const int32_t *values);
 void serve_forget(serve_t *self);
-
-// report.c: a text with two whole numbers at most, where a # stands in it.
-void serve_say_two(serve_t *self, const char *form, int32_t first, int32_t second);
 
 // report.c: the letters whose bits are set, from the lowest on; a text before them, if any is.
 void serve_say_letters(serve_t *self, const char *before, const char *letters, uint32_t bits);
-
-// report.c: to the nearest whole number that fits. Cost: constant.
-int32_t serve_round(double value);
 
 // report.c: the modes at the tool, as 0x83 asks for them.
 void serve_say_executed(serve_t *self);
@@ -57,21 +61,20 @@ void serve_say_status(serve_t *self);
 uint8_t serve_say_modes(serve_t *self);
 uint8_t serve_say_offsets(serve_t *self);
 
-// report.c: where the axes are, counted from a zero; without a place, the zero.
+// report.c: where the axes are, counted from a zero, or from the machine's where that is NULL;
+// without a place, the zero.
 void serve_say_axes(serve_t *self, const char *before, const double *at, const int64_t *zero_nm);
 
-// dollar.c: a line of $$. Cost: constant.
-void serve_say_setting(serve_t *self, uint32_t number, int32_t value, uint32_t places);
+// report.c: lines of $$, of whole numbers and of others.
+void serve_say_setting(serve_t *self, int32_t number, int32_t value);
+void serve_say_measure(serve_t *self, int32_t number, double value);
 
 // serve.c: the line in work is over. Hold as by !, or by a door. Cost: constant.
 void serve_answer(serve_t *self);
 void serve_hold(serve_t *self, int door);
 
 // serve.c: ask who knows the switches. Cost: that of the answer.
-int serve_beside(serve_t *self, uint32_t event, double value);
-
-// serve.c: nothing is under way, and all stands. Cost: constant.
-int serve_is_idle(const serve_t *self);
+int serve_beside(serve_t *self, uint32_t event);
 
 // serve.c: what the last tick has left. Cost: constant.
 const serve_seen_t *serve_seen(const serve_t *self);

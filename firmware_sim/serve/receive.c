@@ -3,12 +3,12 @@
 #include <string.h> // memchr
 
 #include "nck/base/fence.h" // nck_fence_load nck_fence_store
-#include "serve/serve.h"
+#include "serve/parts.h"
 
-enum { BEHIND_C2 = 4, URGENT = 4 };
+enum { BEHIND_C2 = 4, FEED = 0x90, SPINDLE_LAST = 0x9d };
 
-// What stops comes first, URGENT of them; the overrides besides, 0x90 … 0x9d.
-static const char signals[] = {'!', '\x18', '\x84', '\x85', '?', '~', '\x83', '\xa0', '\xa1'};
+// In the order of serve_signal_t.
+static const char signals[] = {'!', '\x84', '\x85', '\x18', '?', '~', '\x83', '\xa0', '\xa1'};
 
 // A letter outside of ASCII counts for nothing, though its later bytes look like signals. C2 and a
 // byte below A0 are no letter but a signal, as senders write it that know text alone.
@@ -25,20 +25,20 @@ static int is_of_letter(serve_t *self, uint8_t byte) {
     return 1;
 }
 
-static int is_urgent(uint8_t byte) { return memchr(signals, byte, URGENT) != NULL; }
-
-static int is_signal(uint8_t byte) {
-    const int overrides = (uint8_t)(byte - 0x90) <= 0x9d - 0x90;
-    return overrides || memchr(signals, byte, sizeof signals) != NULL;
+// Returns serve_signal_t, or −1: it is none.
+static int signal_of(uint8_t byte) {
+    const char *const at = memchr(signals, byte, sizeof signals);
+    if (at != NULL) return (int)(at - signals);
+    return (uint8_t)(byte - FEED) <= SPINDLE_LAST - FEED ? SERVE_OVERRIDE + byte - FEED : -1;
 }
 
 // A quarter of the room is for what stops.
-static void put_signal(serve_t *self, uint8_t byte) {
+static void put_signal(serve_t *self, int signal) {
     const uint32_t head = self->in.signal_head;
     const uint32_t used = head - nck_fence_load(&self->in.signal_tail);
-    const uint32_t room = is_urgent(byte) ? SERVE_SIGNALS : SERVE_SIGNALS * 3 / 4;
+    const uint32_t room = signal < SERVE_REPORT ? SERVE_SIGNALS : SERVE_SIGNALS * 3 / 4;
     if (used >= room) return;
-    self->signal[head & (SERVE_SIGNALS - 1)] = byte;
+    self->signal[head & (SERVE_SIGNALS - 1)] = (uint8_t)signal;
     nck_fence_store(&self->in.signal_head, head + 1);
 }
 
@@ -48,8 +48,9 @@ int serve_has_room(const serve_t *self) {
 
 int serve_hear(serve_t *self, uint8_t byte) {
     if (is_of_letter(self, byte)) return 1;
-    if (!is_signal(byte)) return byte >= 0x80;
-    put_signal(self, byte);
+    const int signal = signal_of(byte);
+    if (signal < 0) return byte >= 0x80;
+    put_signal(self, signal);
     return 1;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the session says of itself.
-#include <string.h> // strlen
+#include <stddef.h> // NULL
 
 #include "nck/base/fence.h" // nck_fence_load
 #include "serve/parts.h"
@@ -13,11 +13,8 @@ enum {
     BLOCKS_MOST = 255                                                  // that are told to be free
 };
 
-void serve_say(serve_t *self, const char *text) {
-    self->port.write(self->port.user, text, (uint32_t)strlen(text));
-}
-
-void serve_say_number(serve_t *self, int32_t value, uint32_t places) {
+// A number whose last so many digits stand behind its point.
+static void say_number(serve_t *self, int32_t value, uint32_t places) {
     enum { DIGITS = 16 };
     char text[DIGITS];
     uint32_t at = DIGITS;
@@ -33,7 +30,8 @@ void serve_say_number(serve_t *self, int32_t value, uint32_t places) {
     serve_say(self, text + at);
 }
 
-int32_t serve_round(double value) {
+// To the nearest whole number that fits.
+static int32_t nearest(double value) {
     enum { MOST = 2000000000 };
     const double most = MOST;
     const double kept = value < most ? value : most;
@@ -48,16 +46,24 @@ void serve_say_letters(serve_t *self, const char *before, const char *letters, u
     }
 }
 
-void serve_say_two(serve_t *self, const char *form, int32_t first, int32_t second) {
-    int32_t next = first;
+void serve_say_form(serve_t *self, const char *form, const int32_t *values) {
     for (; *form != '\0'; form++) {
-        if (*form != '#') {
-            self->port.write(self->port.user, form, 1);
-            continue;
-        }
-        serve_say_number(self, next, 0);
-        next = second;
+        const int ends = *form == '\n';
+        if (*form == '@' || *form == '%') say_number(self, *values++, *form == '%' ? 3 : 0);
+        else self->port.write(self->port.user, ends ? "\r\n" : form, ends ? 2 : 1);
     }
+}
+
+void serve_say(serve_t *self, const char *text) { serve_say_form(self, text, NULL); }
+
+void serve_say_setting(serve_t *self, int32_t number, int32_t value) {
+    const int32_t values[] = {number, value};
+    serve_say_form(self, "$@=@\n", values);
+}
+
+void serve_say_measure(serve_t *self, int32_t number, double value) {
+    const int32_t values[] = {number, nearest(value * 1e3)};
+    serve_say_form(self, "$@=%\n", values);
 }
 
 void serve_say_axes(serve_t *self, const char *before, const double *at, const int64_t *zero_nm) {
@@ -65,28 +71,41 @@ void serve_say_axes(serve_t *self, const char *before, const double *at, const i
     const char *comma = before;
     for (int axis = 0; axis < NCK_AXIS_MAX; axis++) {
         if (!machine->axis[axis].present) continue;
-        const double zero = (double)zero_nm[axis] / nck_machine_counts(machine, axis);
+        const double counts = nck_machine_counts(machine, axis);
+        const double zero = zero_nm ? (double)zero_nm[axis] / counts : 0.0;
         const int inches = self->inches && !machine->axis[axis].rotary;
         const double place = at ? at[axis] - zero : zero;
         serve_say(self, comma);
-        serve_say_number(self, serve_round(place * (inches ? 1e4 / 25.4 : 1e3)), inches ? 4 : 3);
+        say_number(self, nearest(place * (inches ? 1e4 / 25.4 : 1e3)), inches ? 4 : 3);
         comma = ",";
     }
 }
 
-static const int64_t nowhere_nm[NCK_AXIS_MAX];
+static double feed_of(const serve_seen_t *seen, double speed) {
+    return speed * 60.0 / seen->pose.feed_scale;
+}
+
+typedef enum state {
+    SLEEP, HOME, ALARM, DOOR_RESTS, DOOR_MOVES, HOLD_RESTS, HOLD_MOVES, CHECK, JOG, IDLE, RUN
+} state_t;
+
+static state_t state_of(const serve_t *self) {
+    const serve_seen_t *const seen = serve_seen(self);
+    if (self->sleeps) return SLEEP;
+    if (self->phase == SERVE_HOMES) return HOME;
+    if (self->locked) return ALARM;
+    if (self->door) return (state_t)(DOOR_RESTS + seen->moves);
+    if (self->held || self->phase == SERVE_BRAKES) return (state_t)(HOLD_RESTS + seen->moves);
+    if (seen->pose.state == NCK_TICK_WAIT) return HOLD_RESTS;
+    if (self->checks) return CHECK;
+    if (self->jogging) return JOG;
+    return self->idle ? IDLE : RUN;
+}
 
 const char *serve_state(const serve_t *self) {
-    const serve_seen_t *const seen = serve_seen(self);
-    if (self->sleeps) return "Sleep";
-    if (self->phase == SERVE_HOMES) return "Home";
-    if (self->locked) return "Alarm";
-    if (self->door) return seen->moves ? "Door:2" : "Door:0";
-    if (self->held || self->phase == SERVE_BRAKES) return seen->moves ? "Hold:1" : "Hold:0";
-    if (seen->state == NCK_TICK_WAIT) return "Hold:0";
-    if (self->checks) return "Check";
-    if (self->jogging) return "Jog";
-    return serve_is_idle(self) ? "Idle" : "Run";
+    static const char names[][7] = {"Sleep", "Home", "Alarm", "Door:0", "Door:2", "Hold:0",
+                                    "Hold:1", "Check", "Jog", "Idle", "Run"};
+    return names[state_of(self)];
 }
 
 // Another sum: the offsets have changed.
@@ -97,27 +116,30 @@ static uint32_t sum_of(const nck_modal_t *modal) {
     return sum;
 }
 
-static void say_room(serve_t *self) {
+// What room there is, where the tool is, how fast it goes.
+static void say_numbers(serve_t *self, const serve_seen_t *seen, const char *state) {
+    enum { ROOM, BYTES, LINE, SPEED, RPM, NUMBERS };
     nck_queue_t queue;
     nck_queue(self->nck, &queue);
     const uint32_t blocks = NCK_SEG_MAX - queue.segs;
-    const uint32_t used = nck_fence_load(&self->in.head) - self->in.tail;
-    const uint32_t told = blocks < BLOCKS_MOST ? blocks : BLOCKS_MOST;
-    serve_say_two(self, "|Bf:#,#", (int32_t)told, (int32_t)(SERVE_RING - 1 - used));
-}
-
-static void say_speeds(serve_t *self, const serve_seen_t *seen) {
-    const uint32_t rpm = self->tick.turns != 0 ? self->tick.rpm : 0;
-    const int32_t speed = serve_round(self->inches ? seen->speed / 25.4 : seen->speed);
-    serve_say_two(self, "|FS:#,#", speed, (int32_t)(rpm * self->spindle / 100));
+    const double speed = feed_of(seen, seen->pose.v);
+    const int32_t values[NUMBERS] = {
+        [ROOM] = (int32_t)(blocks < BLOCKS_MOST ? blocks : BLOCKS_MOST),
+        [BYTES] = (int32_t)(SERVE_RING - 1 + self->in.tail - nck_fence_load(&self->in.head)),
+        [LINE] = (int32_t)seen->pose.line,
+        [SPEED] = nearest(self->inches ? speed / 25.4 : speed),
+        [RPM] = (int32_t)((self->tick.turns != 0 ? self->tick.rpm : 0) * self->spindle / 100)};
+    if (self->mask & 2) serve_say_form(self, "|Bf:@,@", values);
+    if (values[LINE] != 0 && *state != 'I') serve_say_form(self, "|Ln:@", &values[LINE]);
+    serve_say_form(self, "|FS:@,@", &values[SPEED]);
 }
 
 static void say_overrides(serve_t *self) {
     const uint32_t coolant = serve_coolant(self);
-    const uint32_t turns = self->tick.turns;
-    serve_say_two(self, "|Ov:#,#", self->feed, self->rapid);
-    serve_say_two(self, ",#", self->spindle, 0);
-    serve_say_letters(self, "|A:", "SCFM", turns | (coolant & 2) << 1 | (coolant & 1) << 3);
+    const int32_t values[] = {self->feed, self->rapid, self->spindle};
+    serve_say_form(self, "|Ov:@,@,@", values);
+    serve_say_letters(self, "|A:", "SCFM",
+                      self->tick.turns | (coolant & 2) << 1 | (coolant & 1) << 3);
 }
 
 // What changes seldom is said seldom: the work offset, else the overrides.
@@ -145,36 +167,33 @@ void serve_say_status(serve_t *self) {
     nck_modal(self->nck, &modal);
     serve_say(self, "<");
     serve_say(self, state);
-    if (self->mask & 1) serve_say_axes(self, "|MPos:", seen.at, nowhere_nm);
-    else serve_say_axes(self, "|WPos:", seen.at, modal.origin_nm);
-    if (self->mask & 2) say_room(self);
-    if (seen.line != 0 && *state != 'I') serve_say_two(self, "|Ln:#", (int32_t)seen.line, 0);
-    say_speeds(self, &seen);
-    (void)serve_beside(self, SERVE_AT_STATUS, 0.0);
+    if (self->mask & 1) serve_say_axes(self, "|MPos:", seen.pose.axis, NULL);
+    else serve_say_axes(self, "|WPos:", seen.pose.axis, modal.origin_nm);
+    say_numbers(self, &seen, state);
+    (void)serve_beside(self, SERVE_AT_STATUS);
     say_seldom(self, &modal, seen.moves);
-    serve_say(self, ">\r\n");
+    serve_say(self, ">\n");
 }
 
 static void say_modes(serve_t *self, const nck_modal_t *modal) {
     static const uint8_t feeds[] = {94, 93, 95}; // nck_feed_mode_t
-    enum { LAST = SYSTEMS - 1, CODES = 6 };
+    enum { LAST = SYSTEMS - 1, MOTION = 0, MORE = 2, FIRST = 3, NUMBERS = 11 };
     const int32_t system = modal->work_system, more = system > LAST ? system - LAST : 0;
-    const uint8_t codes[CODES] = {(uint8_t)(modal->motion < 0 ? 80 : modal->motion),
-                                  (uint8_t)(54 + system - more), modal->plane,
-                                  (uint8_t)(21 - modal->inch), (uint8_t)(90 + modal->incremental),
-                                  feeds[modal->feed_mode]};
     const double unit = modal->inch && modal->feed_mode != NCK_FEED_INVERSE ? 25.4 : 1.0;
-    serve_say(self, "[GC");
-    for (uint32_t k = 0; k < CODES; k++) {
-        serve_say_two(self, k == 0 ? ":G#" : " G#", codes[k], 0);
-        if (k == 1 && more > 0) serve_say_two(self, ".#", more, 0);
+    const int32_t values[NUMBERS] = {
+        [MOTION] = modal->motion < 0 ? 80 : modal->motion, 54 + system - more, [MORE] = more,
+        [FIRST] = modal->plane, 21 - modal->inch, 90 + modal->incremental,
+        feeds[modal->feed_mode], modal->spindle_on ? modal->spindle_code : 5,
+        (int32_t)modal->tool_next, nearest(modal->feed / unit),
+        nearest(modal->spindle_rpm)};
+    uint32_t on = modal->coolant != 0 ? modal->coolant : 4;
+    serve_say_form(self, "[GC:G@ G@", values);
+    if (more > 0) serve_say_form(self, ".@", &values[MORE]);
+    serve_say_form(self, " G@ G@ G@ G@ M@", &values[FIRST]);
+    for (int32_t code = 7; on != 0; code++, on >>= 1) {
+        if (on & 1) serve_say_form(self, " M@", &code);
     }
-    serve_say_two(self, " M#", modal->spindle_on ? modal->spindle_code : 5, 0);
-    if (modal->coolant & 1) serve_say(self, " M7");
-    if (modal->coolant & 2) serve_say(self, " M8");
-    if (modal->coolant == 0) serve_say(self, " M9");
-    serve_say_two(self, " T# F#", (int32_t)modal->tool_next, serve_round(modal->feed / unit));
-    serve_say_two(self, " S#]\r\n", serve_round(modal->spindle_rpm), 0);
+    serve_say_form(self, " T@ F@ S@]\n", &values[FIRST + 5]);
 }
 
 uint8_t serve_say_modes(serve_t *self) {
@@ -188,9 +207,9 @@ uint8_t serve_say_modes(serve_t *self) {
 void serve_say_executed(serve_t *self) {
     nck_modal_t modal;
     nck_modal_executed(self->nck, &modal);
-    if (!serve_is_idle(self)) {
-        const double feed = serve_seen(self)->feed;
-        if (feed > 0.0) modal.feed = feed;
+    if (!self->idle) {
+        const serve_seen_t *const seen = serve_seen(self);
+        if (seen->pose.feed > 0.0) modal.feed = feed_of(seen, seen->pose.feed);
         modal.spindle_rpm = self->tick.rpm;
     }
     say_modes(self, &modal);
@@ -202,18 +221,18 @@ uint8_t serve_say_offsets(serve_t *self) {
     nck_modal(self->nck, &modal);
     const int64_t *place_nm = modal.systems_nm[0];
     for (uint32_t k = 0; k < sizeof names; k++) {
+        const int32_t name = names[k];
         if (k == SYSTEMS) place_nm = modal.home_nm[0];
         if (k == SYSTEMS + 2) place_nm = modal.g92_nm;
-        serve_say_two(self, "[G#", names[k], 0);
+        serve_say_form(self, "[G@", &name);
         serve_say_axes(self, ":", NULL, place_nm);
-        serve_say(self, "]\r\n");
+        serve_say(self, "]\n");
         place_nm += NCK_AXIS_MAX;
     }
-    serve_say(self, "[TLO:");
-    serve_say_number(self, serve_round((double)modal.tool_nm[2] * UM_PER_NM), 3);
-    serve_say(self, "]\r\n");
-    if (serve_beside(self, SERVE_AT_OFFSETS, 0.0)) return 0;
-    serve_say_axes(self, "[PRB:", NULL, nowhere_nm);
-    serve_say(self, ":0]\r\n");
+    const int32_t length = nearest((double)modal.tool_nm[2] * UM_PER_NM);
+    serve_say_form(self, "[TLO:%]\n", &length);
+    if (serve_beside(self, SERVE_AT_OFFSETS)) return 0;
+    serve_say_axes(self, "[PRB:", NULL, NULL);
+    serve_say(self, ":0]\n");
     return 0;
 }

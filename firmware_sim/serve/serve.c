@@ -14,9 +14,9 @@ enum {
     WHOLE = 100       // [%]
 };
 
-static const char banner[] = "\r\nGrbl 1.1f ['$' for help]\r\n";
-static const char at_reset[] = "G54G92.1G49M5M9\n"; // what a reset undoes
-static const char at_end[] = "G54M5M9\n";          // and the end of a program
+static const char banner[] = "\nGrbl 1.1f ['$' for help]\n";
+static const char at_reset[] = "G92.1G49G54M5M9\n"; // what a reset undoes
+enum { AT_END = 8 };                               // from there on: the end of a program, too
 
 // ---- what the tick tells
 
@@ -27,11 +27,7 @@ const serve_seen_t *serve_seen(const serve_t *self) {
 void serve_tick(serve_t *self, const nck_pose_t *pose) {
     const uint32_t next = 1 - self->tick.now;
     serve_seen_t *const seen = &self->seen[next];
-    memcpy(seen->at, pose->axis, sizeof seen->at);
-    seen->speed = pose->v * 60.0 / pose->feed_scale;
-    seen->feed = pose->feed * 60.0 / pose->feed_scale;
-    seen->line = pose->line;
-    seen->state = pose->state;
+    seen->pose = *pose;
     seen->moves = pose->v > 0.0 || pose->state == NCK_TICK_MOVE;
     seen->idle = (uint8_t)nck_is_idle(self->nck);
     nck_fence_store(&self->tick.now, next);
@@ -60,18 +56,20 @@ uint32_t serve_coolant(const serve_t *self) {
     return nck_fence_load(&self->tick.coolant) ^ self->turned;
 }
 
-int serve_beside(serve_t *self, uint32_t event, double value) {
-    return self->beside ? self->beside(self, event, value) : 0;
+int serve_beside(serve_t *self, uint32_t event) {
+    return self->beside ? self->beside(self, event) : 0;
 }
 
 // ---- signals
 
-int serve_is_idle(const serve_t *self) {
+// What the kernel has to do, once a step.
+static void look(serve_t *self) {
     nck_queue_t queue;
     nck_queue(self->nck, &queue);
     const serve_seen_t *const seen = serve_seen(self);
     const uint32_t left = queue.segs + queue.outputs + queue.smooth + queue.text;
-    return left == 0 && seen->idle && !seen->moves;
+    self->text_waits = queue.text != 0;
+    self->idle = left == 0 && seen->idle && !seen->moves;
 }
 
 // Jogs are deaf to overrides.
@@ -87,7 +85,7 @@ void serve_brake(serve_t *self, serve_then_t then) {
 }
 
 static void reset(serve_t *self) {
-    if (self->phase == SERVE_HOMES) (void)serve_beside(self, SERVE_AT_BREAK, 0.0);
+    if (self->phase == SERVE_HOMES) (void)serve_beside(self, SERVE_AT_BREAK);
     nck_fence_store(&self->in.tail, nck_fence_load(&self->in.head));
     nck_fence_store(&self->in.lost, 0);
     memset(&self->line, 0, sizeof self->line);
@@ -110,7 +108,7 @@ static void cancel_jog(serve_t *self) {
 void serve_hold(serve_t *self, int door) {
     const int jogs = is_jogging(self);
     if (self->phase == SERVE_HOMES) {
-        (void)serve_beside(self, SERVE_AT_BREAK, 0.0);
+        (void)serve_beside(self, SERVE_AT_BREAK);
         self->waits = 1;
         serve_brake(self, SERVE_THEN_NOTHING);
     }
@@ -121,9 +119,9 @@ void serve_hold(serve_t *self, int door) {
 }
 
 static void resume(serve_t *self) {
-    const int waits = serve_seen(self)->state == NCK_TICK_WAIT;
+    const int waits = serve_seen(self)->pose.state == NCK_TICK_WAIT;
     const int rests = self->held || waits;
-    if (serve_beside(self, SERVE_AT_RESUME, 0.0)) return;
+    if (serve_beside(self, SERVE_AT_RESUME)) return;
     self->held = self->door = 0;
     if (rests && self->phase != SERVE_BRAKES) nck_resume(self->nck);
 }
@@ -144,18 +142,18 @@ static void change_override(serve_t *self, uint32_t code) {
     override(self);
 }
 
-static void obey(serve_t *self, uint8_t byte) {
-    switch (byte) {
-    case '?': serve_say_status(self); break;
-    case '!': serve_hold(self, 0); break;
-    case '~': resume(self); break;
-    case 0x18: reset(self); break;
-    case 0x83: serve_say_executed(self); break;
-    case 0x84: serve_hold(self, 1); break;
-    case 0x85: cancel_jog(self); break;
-    case 0xa0: self->turned ^= 2; break;
-    case 0xa1: self->turned ^= 1; break;
-    default: change_override(self, byte - 0x90u); break;
+static void obey(serve_t *self, uint32_t signal) {
+    switch (signal) {
+    case SERVE_HOLD: serve_hold(self, 0); break;
+    case SERVE_DOOR: serve_hold(self, 1); break;
+    case SERVE_CANCEL: cancel_jog(self); break;
+    case SERVE_RESET: reset(self); break;
+    case SERVE_REPORT: serve_say_status(self); break;
+    case SERVE_RESUME: resume(self); break;
+    case SERVE_MODES: serve_say_executed(self); break;
+    case SERVE_FLOOD: self->turned ^= 2; break;
+    case SERVE_MIST: self->turned ^= 1; break;
+    default: change_override(self, signal - SERVE_OVERRIDE); break;
     }
 }
 
@@ -163,9 +161,9 @@ static void obey(serve_t *self, uint8_t byte) {
 static int hear(serve_t *self) {
     const uint32_t tail = self->in.signal_tail;
     if (tail == nck_fence_load(&self->in.signal_head)) return 0;
-    const uint8_t byte = self->signal[tail & (SERVE_SIGNALS - 1)];
+    const uint32_t signal = self->signal[tail & (SERVE_SIGNALS - 1)];
     nck_fence_store(&self->in.signal_tail, tail + 1);
-    obey(self, byte);
+    obey(self, signal);
     return 1;
 }
 
@@ -180,12 +178,13 @@ static void clear_line(serve_t *self) {
 // The line in work is over.
 void serve_answer(serve_t *self) {
     if (self->line.error != 0 && !self->line.own) {
-        serve_say_two(self, "error:#\r\n", self->line.error, 0);
+        const int32_t error = self->line.error;
+        serve_say_form(self, "error:@\n", &error);
     } else if (self->then == SERVE_THEN_BANNER) {
         serve_forget(self);
         serve_say(self, banner);
     } else if (self->then == SERVE_THEN_ENDED || !self->line.own) {
-        serve_say(self, self->then == SERVE_THEN_ENDED ? "[MSG:Pgm End]\r\nok\r\n" : "ok\r\n");
+        serve_say(self, self->then == SERVE_THEN_ENDED ? "[MSG:Pgm End]\nok\n" : "ok\n");
     }
     self->then = SERVE_THEN_OK;
     clear_line(self);
@@ -224,18 +223,19 @@ static int read_line(serve_t *self) {
 }
 
 // Text of our own goes the way of a line.
-static void give_own(serve_t *self, const char *text, uint32_t size, serve_then_t then) {
+static int give_own(serve_t *self) {
+    const uint32_t from = self->then == SERVE_THEN_BANNER ? 0 : AT_END;
     clear_line(self);
-    memcpy(self->text, text, size);
-    self->line.size = size;
+    self->line.size = sizeof at_reset - 1 - from;
+    memcpy(self->text, at_reset + from, self->line.size);
     self->line.own = 1;
     self->line.does = SERVE_LATE;
     self->phase = SERVE_GIVES;
-    self->then = (uint8_t)then;
+    return 1;
 }
 
 static uint8_t begin_jog(serve_t *self) {
-    const int may = self->jogging || serve_is_idle(self);
+    const int may = self->jogging || self->idle;
     if (self->locked || self->held || self->checks || !may) return SERVE_E_BUSY;
     self->line.jogs = 1;
     return serve_look_jog(self);
@@ -278,9 +278,9 @@ static void be_patient(serve_t *self, nck_status_t status) {
 }
 
 static int read(serve_t *self, nck_status_t status) {
-    if (self->renews && !serve_is_idle(self)) return 0;
+    if (self->renews && !self->idle) return 0;
     self->renews = 0;
-    if (self->jogging && serve_is_idle(self)) {
+    if (self->jogging && self->idle) {
         self->jogging = 0;
         override(self);
     }
@@ -300,10 +300,10 @@ static int ends_program(const serve_t *self) { return (self->line.does & SERVE_E
 // Returns 1 if the kernel has taken it.
 static int give(serve_t *self) {
     size_t used = 0;
-    const int goes = self->line.probes ? serve_beside(self, SERVE_AT_PROBE, 0.0) : 1;
+    const int goes = self->line.probes ? serve_beside(self, SERVE_AT_PROBE) : 1;
     if (goes == 2) serve_answer(self);
     if (goes != 1) return 0;
-    if ((self->line.does & SERVE_SHIFTS) && !serve_is_idle(self)) {
+    if ((self->line.does & SERVE_SHIFTS) && !self->idle) {
         nck_flush(self->nck);
         return 0;
     }
@@ -311,16 +311,13 @@ static int give(serve_t *self) {
     nck_name_line(self->nck, self->line.name);
     (void)nck_push(self->nck, self->text, self->line.size, &used);
     if (used == 0) return 0;
-    self->line.error = 0;
-    self->flushed = 0;
+    self->line.error = self->idle = self->flushed = 0;
     self->phase = SERVE_TAKES;
     return 1;
 }
 
 static int take(serve_t *self) {
-    nck_queue_t queue;
-    nck_queue(self->nck, &queue);
-    if (self->line.error == 0 && queue.text != 0) return 0;
+    if (self->line.error == 0 && self->text_waits) return 0;
     if (self->line.error != 0 || !(self->line.does & (SERVE_LATE | SERVE_ENDS))) {
         if (self->line.jogs && self->line.error == 0) {
             self->jogging = 1;
@@ -335,26 +332,27 @@ static int take(serve_t *self) {
 }
 
 static int settle(serve_t *self, nck_status_t status) {
-    if (!serve_is_idle(self)) return 0;
-    if (self->line.probes) (void)serve_beside(self, SERVE_AT_PROBED, 0.0);
+    if (!self->idle) return 0;
+    if (self->line.probes) (void)serve_beside(self, SERVE_AT_PROBED);
     if (!ends_program(self)) {
         serve_answer(self);
         return 1;
     }
     if (status != NCK_DONE || nck_begin(self->nck) != NCK_OK) return 0;
-    give_own(self, at_end, sizeof at_end - 1, self->line.own ? SERVE_THEN_OK : SERVE_THEN_ENDED);
+    self->then = self->line.own ? SERVE_THEN_OK : SERVE_THEN_ENDED;
+    self->phase = SERVE_OWNS;
     return 1;
 }
 
 static int end_brake(serve_t *self) {
     const int resets = self->then == SERVE_THEN_BANNER;
     if ((resets ? nck_begin(self->nck) : nck_go_on(self->nck)) != NCK_OK) return 0;
-    self->jogging = 0;
+    self->jogging = self->idle = 0;
     self->held = self->door; // a jog is over; a door stays
     self->flushed = 1;
     override(self);
     if (resets) {
-        give_own(self, at_reset, sizeof at_reset - 1, SERVE_THEN_BANNER);
+        self->phase = SERVE_OWNS;
         return 1;
     }
     self->then = SERVE_THEN_OK;
@@ -374,10 +372,8 @@ static int revive(serve_t *self) {
 
 // The line in work has ended the program.
 static int has_ended(const serve_t *self) {
-    nck_queue_t queue;
-    nck_queue(self->nck, &queue);
     if (!ends_program(self)) return 0;
-    return self->phase == SERVE_SETTLES || (self->phase == SERVE_TAKES && queue.text == 0);
+    return self->phase == SERVE_SETTLES || (self->phase == SERVE_TAKES && !self->text_waits);
 }
 
 static int follow(serve_t *self, nck_status_t status) {
@@ -388,6 +384,7 @@ static int follow(serve_t *self, nck_status_t status) {
     case SERVE_GIVES: return give(self);
     case SERVE_TAKES: return take(self);
     case SERVE_SETTLES: return settle(self, status);
+    case SERVE_OWNS: return give_own(self);
     default: return end_brake(self);
     }
 }
@@ -410,18 +407,18 @@ nck_status_t serve_step(serve_t *self) {
     const int heard = hear(self);
     const nck_status_t status = nck_prep(self->nck);
     find(self);
-    const int went = serve_beside(self, SERVE_AT_STEP, 0.0) ? 0 : follow(self, status);
+    look(self);
+    const int went = serve_beside(self, SERVE_AT_STEP) ? 0 : follow(self, status);
     keep(self);
     if (heard || went || status <= NCK_OK) return NCK_OK;
     return status == NCK_EMPTY ? NCK_EMPTY : NCK_FULL;
 }
 
 void serve_join(serve_t *self) {
-    if (serve_is_idle(self) && !self->held && self->phase != SERVE_BRAKES) reset(self);
+    if (self->idle && !self->held && self->phase != SERVE_BRAKES) reset(self);
 }
 
 void serve_part(serve_t *self) {
-    const int idle = serve_is_idle(self);
     nck_fence_store(&self->in.tail, nck_fence_load(&self->in.head));
     if (self->phase == SERVE_READS || (self->phase == SERVE_BRAKES && !self->waits)) {
         memset(&self->line, 0, sizeof self->line);
@@ -429,7 +426,7 @@ void serve_part(serve_t *self) {
         self->line.own = 1;
         if (self->then == SERVE_THEN_ENDED) self->then = SERVE_THEN_OK;
     }
-    if (!idle && self->then != SERVE_THEN_BANNER) serve_hold(self, 0); // a reset goes on
+    if (!self->idle && self->then != SERVE_THEN_BANNER) serve_hold(self, 0); // a reset goes on
 }
 
 nck_status_t serve_init(serve_t *self, nck_t *nck, nck_decode_t *room, const serve_port_t *port) {
@@ -443,6 +440,7 @@ nck_status_t serve_init(serve_t *self, nck_t *nck, nck_decode_t *room, const ser
     nck_axes_t axes;
     (void)nck_position(nck, &pose, &axes);
     serve_tick(self, &pose);
+    self->idle = 1;
     serve_say(self, banner);
     return nck_begin_session(nck, room);
 }

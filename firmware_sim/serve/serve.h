@@ -34,7 +34,8 @@ typedef enum serve_phase {
     SERVE_TAKES = 2,  // and taken by the kernel to its end
     SERVE_SETTLES = 3,// all before it, and it, is to be executed
     SERVE_BRAKES = 4, // the path comes to rest, what is left of it is dropped
-    SERVE_HOMES = 5   // $H is in work
+    SERVE_HOMES = 5,  // $H is in work
+    SERVE_OWNS = 6    // behind a reset, or the end of a program: text of our own comes
 } serve_phase_t;
 
 // What a line does, bit by bit.
@@ -43,7 +44,8 @@ typedef enum serve_does {
     SERVE_ENDS = 2,    // M2 or M30
     SERVE_SHIFTS = 4,  // it moves the work's zero, which waits for all before it
     SERVE_MOVES = 8,   // G0 … G3, G80: probing is over
-    SERVE_HAS_AXES = 16 // its axes are no way to go
+    SERVE_HAS_AXES = 16, // its axes are no way to go
+    SERVE_JOGS = 32    // a jog may have it
 } serve_does_t;
 
 // What comes when the line in work, or the brake, is over.
@@ -56,11 +58,7 @@ typedef enum serve_then {
 
 // What a tick leaves for reports.
 typedef struct serve_seen {
-    double at[NCK_AXIS_MAX]; // [mm, deg]
-    double speed;            // [mm/min] of the program's feed
-    double feed;             // the same that is wanted; of a rapid 0
-    uint32_t line;           // its N word, 0: none
-    uint8_t state;           // nck_tick_state_t
+    nck_pose_t pose;
     uint8_t moves;           // 1: the path does
     uint8_t idle;            // 1: nck_is_idle
 } serve_seen_t;
@@ -72,11 +70,11 @@ typedef enum serve_event {
     SERVE_AT_PROBED = 2,  // it is over
     SERVE_AT_HOME = 3,    // $H: its error
     SERVE_AT_BREAK = 4,   // $H is broken off
-    SERVE_AT_RESUME = 5,  // 1: not now
+    SERVE_AT_RESUME = 5,  // 1: not now, the door is open
     SERVE_AT_STATUS = 6,  // a report wants its fields
     SERVE_AT_OFFSETS = 7, // $# wants where the probe touched; 1: it was said
     SERVE_AT_LIST = 8,    // $$ wants settings; 1: they were said
-    SERVE_AT_SET = 9      // and above: $(event − 9)=value; 1: it is one
+    SERVE_AT_SET = 9      // and above: $(event − 9)=set; 1: it is one
 } serve_event_t;
 
 // All of it: one static instance. What is asked for often stands first, which makes code smaller.
@@ -93,6 +91,8 @@ typedef struct serve {
     uint8_t waits;               // 1: a line is to be answered behind the brake
     uint8_t renews;              // 1: no line is read until the tick has begun anew, too
     uint8_t after_return;        // 1: a line feed that comes next is of the line before
+    uint8_t idle;                // 1: nothing is under way, and all stands
+    uint8_t text_waits;          // 1: the line in work is not taken to its end
     uint8_t turned;              // coolant that the operator turned over, as in serve_coolant
     uint8_t mask;                // $10
     uint8_t inches;              // $13
@@ -107,7 +107,7 @@ typedef struct serve {
         uint8_t jogs;            // 1: it is one
         uint8_t does;            // of serve_does_t
         uint8_t own;             // 1: nobody has sent it, or who has is gone
-        uint8_t probes;          // G38.n: n; 0: it does not
+        uint8_t probes;          // G38.n: n; M66: 66; 0: it does not
         uint32_t name;           // its N word
         uint32_t size;           // of text
     } line;
@@ -132,7 +132,8 @@ typedef struct serve {
     } tick;
 
     serve_port_t port;
-    int (*beside)(struct serve *self, uint32_t event, double value); // NULL: no switches
+    int (*beside)(struct serve *self, uint32_t event); // NULL: no switches
+    double set;                    // of the $n=set in work
     struct inputs *inputs;         // serve_switches
     char text[SERVE_LINE_MAX + 8]; // of the line, behind a jog's prefix, ended by a line feed
     uint8_t signal[SERVE_SIGNALS]; // real-time bytes

@@ -31,37 +31,75 @@ int serve_number(const char **at, serve_number_t *out) {
     return digits;
 }
 
-static uint32_t tenths_of(const serve_number_t *number) {
-    return number->whole * TENTHS + number->thousandths / 100;
-}
-
-// What codes from the least to the most of them, in tenths, do; those of M are 2000 more.
+// What codes from the least on, so many tenths more, do; those of M are 2000 more.
 typedef struct row {
-    uint16_t least, most;
+    uint16_t least;
+    uint8_t more;
     uint8_t does; // serve_does_t
 } row_t;
 
 static const row_t rows[] = {
-    {0, 39, SERVE_MOVES}, {40, 40, SERVE_LATE},
-    {100, 109, SERVE_LATE | SERVE_SHIFTS | SERVE_HAS_AXES}, {280, 280, SERVE_HAS_AXES},
-    {281, 281, SERVE_LATE | SERVE_HAS_AXES}, {300, 300, SERVE_HAS_AXES},
-    {301, 301, SERVE_LATE | SERVE_HAS_AXES}, {430, 430, SERVE_SHIFTS},
-    {431, 431, SERVE_SHIFTS | SERVE_HAS_AXES}, {490, 490, SERVE_SHIFTS},
-    {520, 520, SERVE_SHIFTS | SERVE_HAS_AXES}, {540, 593, SERVE_SHIFTS}, {800, 800, SERVE_MOVES},
-    {920, 923, SERVE_SHIFTS | SERVE_HAS_AXES}, {2000, 2010, SERVE_LATE},
-    {2020, 2020, SERVE_ENDS}, {2060, 2060, SERVE_LATE}, {2300, 2300, SERVE_ENDS},
-    {2600, 2600, SERVE_LATE}
+    {0, 39, SERVE_MOVES}, {40, 0, SERVE_LATE},
+    {100, 9, SERVE_LATE | SERVE_SHIFTS | SERVE_HAS_AXES}, {200, 0, SERVE_JOGS},
+    {210, 0, SERVE_JOGS}, {280, 0, SERVE_HAS_AXES}, {281, 0, SERVE_LATE | SERVE_HAS_AXES},
+    {300, 0, SERVE_HAS_AXES}, {301, 0, SERVE_LATE | SERVE_HAS_AXES}, {430, 0, SERVE_SHIFTS},
+    {431, 0, SERVE_SHIFTS | SERVE_HAS_AXES}, {490, 0, SERVE_SHIFTS},
+    {520, 0, SERVE_SHIFTS | SERVE_HAS_AXES}, {530, 0, SERVE_JOGS}, {540, 53, SERVE_SHIFTS},
+    {800, 0, SERVE_MOVES}, {900, 0, SERVE_JOGS}, {910, 0, SERVE_JOGS},
+    {920, 3, SERVE_SHIFTS | SERVE_HAS_AXES}, {2000, 10, SERVE_LATE}, {2020, 0, SERVE_ENDS},
+    {2060, 0, SERVE_LATE}, {2300, 0, SERVE_ENDS}, {2600, 0, SERVE_LATE}
 };
 
-static void look_at_word(serve_t *self, char letter, const serve_number_t *number) {
-    enum { M = 2000 };
-    const uint32_t code = tenths_of(number) + (letter == 'M' ? M : 0);
-    if (letter == 'N') self->line.name = number->whole;
-    if (letter != 'G' && letter != 'M') return;
+// What is found in a line.
+enum { AXES = 1, FEED = 2, ODD = 4 }; // ODD: no jog has it
+
+// A code; it may be one that jogs have.
+static uint32_t look_at_code(serve_t *self, uint32_t code) {
+    enum { M66 = 2660, PROBE = 382, PROBE_LAST = 385, PROBES_LESS = 380 };
+    uint32_t does = 0;
     for (uint32_t k = 0; k < sizeof rows / sizeof *rows; k++) {
-        if (code >= rows[k].least && code <= rows[k].most) self->line.does |= rows[k].does;
+        if (code - rows[k].least <= rows[k].more) does |= rows[k].does;
     }
-    if (code >= 382 && code <= 385) self->probe = self->line.probes = (uint8_t)(code - 380);
+    self->line.does |= (uint8_t)does;
+    if (code == M66) self->line.probes = SERVE_ASKS;
+    if (code >= PROBE && code <= PROBE_LAST) {
+        self->probe = self->line.probes = (uint8_t)(code - PROBES_LESS);
+    }
+    return does & SERVE_JOGS ? 0 : ODD;
+}
+
+static uint32_t look_at_word(serve_t *self, char letter, const serve_number_t *number) {
+    enum { M = 2000 };
+    const uint32_t tenths = number->whole * TENTHS + number->thousandths / 100;
+    switch (letter) {
+    case 'N': self->line.name = number->whole; return 0;
+    case 'F': return FEED;
+    case 'G': return look_at_code(self, tenths);
+    case 'M': return look_at_code(self, tenths + M);
+    default: return ODD;
+    }
+}
+
+// A B C, U … Z.
+static uint32_t is_axis(char letter) {
+    const uint32_t n = (uint32_t)letter - 'A';
+    return n < 26 ? 0x3f00007u >> n & 1u : 0;
+}
+
+static uint32_t look(serve_t *self, const char *from) {
+    uint32_t found = 0;
+    const char *at = from;
+    self->text[self->line.size] = '\0';
+    while (*at != '\0') {
+        serve_number_t number;
+        const char letter = *at++;
+        const uint32_t axis = is_axis(letter); // the first bit is AXES
+        const int said = serve_number(&at, &number);
+        found |= axis;
+        if (!said) found |= ODD;
+        else if (!axis) found |= look_at_word(self, letter, &number);
+    }
+    return found;
 }
 
 // Axes alone probe where the line before has.
@@ -71,50 +109,21 @@ static int probes_on(const serve_t *self) {
     return modal.motion == PROBES;
 }
 
-static int is_axis(char letter) {
-    return (letter >= 'A' && letter <= 'C') || (letter >= 'U' && letter <= 'Z');
-}
-
 void serve_look(serve_t *self) {
-    int moves = 0;
-    const char *at = self->text;
-    self->text[self->line.size] = '\0';
-    while (*at != '\0') {
-        serve_number_t number;
-        const char letter = *at++;
-        if (letter < 'A' || letter > 'Z') continue;
-        if (serve_number(&at, &number)) look_at_word(self, letter, &number);
-        moves |= is_axis(letter);
-    }
+    const uint32_t found = look(self, self->text);
     if (self->line.does & SERVE_MOVES) self->probe = 0;
-    if (moves && !(self->line.does & SERVE_HAS_AXES) && self->probe && probes_on(self)) {
+    if ((found & AXES) && !(self->line.does & SERVE_HAS_AXES) && self->probe && probes_on(self)) {
         self->line.probes = self->probe;
     }
     if (self->line.probes) self->line.does |= SERVE_LATE;
 }
 
-static int is_jog_code(const serve_number_t *number) {
-    const uint32_t code = tenths_of(number);
-    return code == 200 || code == 210 || code == 900 || code == 910 || code == 530;
-}
-
 uint8_t serve_look_jog(serve_t *self) {
     enum { BEFORE = 3, PREFIX = sizeof jog_prefix - 1 };
     char *const text = self->text;
-    const char *at = text + BEFORE;
-    int feeds = 0, moves = 0;
-    text[self->line.size] = '\0';
-    while (*at != '\0') {
-        serve_number_t number;
-        const char letter = *at++;
-        if (!serve_number(&at, &number)) return SERVE_E_JOG;
-        const int is_code = letter == 'G' && is_jog_code(&number);
-        feeds |= letter == 'F';
-        moves |= is_axis(letter);
-        if (!is_axis(letter) && letter != 'F' && letter != 'N' && !is_code) return SERVE_E_JOG;
-    }
-    if (!moves) return SERVE_E_JOG;
-    if (!feeds) return SERVE_E_FEED;
+    const uint32_t found = look(self, text + BEFORE);
+    if ((found & (ODD | AXES)) != AXES) return SERVE_E_JOG;
+    if (!(found & FEED)) return SERVE_E_FEED;
     memmove(text + PREFIX, text + BEFORE, self->line.size - BEFORE);
     memcpy(text, jog_prefix, PREFIX);
     self->line.size += PREFIX - BEFORE;

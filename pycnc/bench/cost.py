@@ -23,7 +23,7 @@ LINES, ARCS, MOVES = 20_000, 1000, 20_000  # many lines: the first plan is made 
 DOORS = ("nck_push", "nck_prep", "nck_take")  # whose instructions are a line's
 SOURCES = {
     "text_to_cells": ("csrc/nck/**/*.c", "tests/c/text_to_cells.c"),
-    "plain_lines": ("csrc/nck/base/*.c", "csrc/nck/prep/1_decode/*.c", "tests/c/plain_lines.c"),
+    "plain_lines": ("csrc/nck/base/*.c", "csrc/nck/prep/1_decode/**/*.c", "tests/c/plain_lines.c"),
 }
 
 

@@ -5,7 +5,7 @@ Times and peaks are those of the emitted setpoints. Peaks are shares of the limi
 the largest of any axis, path_j is that of the path coordinate. The columns of LinuxCNC are times
 that its full simulation took with the same limits (1 ms servo period; 2.9 with its trapezoid, which
 does not limit jerk, and 2.10 with its S-curve, which holds axis jerk to 1.3 to 2 times the limit),
-as collected in docs/jerk.md; nothing of it is run here. bound_s is a lower bound, by a linear
+as docs/planner.md has them; nothing of it is run here. bound_s is a lower bound, by a linear
 program for each axis, for everything within the same tolerance and limits. These numbers are the
 same on every computer; a missing path_error or time would mean that the program was refused.
 """

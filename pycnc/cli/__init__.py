@@ -55,7 +55,7 @@ from pycnc.cli.words import (
     tell,
     writing,
 )
-from pycnc.extras import need
+from pycnc.extras import need, of_tree
 from pycnc.names import DEFAULT, SCHEMA
 
 PEAK_TOLERANCE = 1e-6  # of a limit, on the double setpoints
@@ -238,9 +238,8 @@ def bench(
         "--live", help="Subject linuxcnc: in the LinuxCNC that is installed here.")] = False,
     json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
-    """Print one table of a benchmark; some subjects draw figures too."""
-    from pycnc import bench
-
+    """Print one table of a benchmark, in a checkout; some subjects draw figures too."""
+    bench = of_tree("pycnc.bench")
     if name is None:
         print("\n".join(bench.SUBJECTS))
         return GOOD

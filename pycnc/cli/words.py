@@ -114,13 +114,10 @@ def decoded(file, machine, quiet, keep=True, beside=None):
 
 def tell(program, quiet, stream, verbose=False):
     """Write the diagnostics of a program; quiet: errors only; verbose: what all assume, too."""
-    found = program.diagnostics
+    found, without = program.diagnostics, () if verbose else _USUAL
     if quiet:
-        kept = [each.text(colour(stream)) for each in found if each.severity == "error"]
-        text = "\n".join(kept)
-    else:
-        text = found.text(program.file, colour(stream), () if verbose else _USUAL)
-    if text:
+        without = {each.id for each in found if each.severity != "error"}
+    if text := found.text(program.file, colour(stream), without):
         print(text, file=stream)
 
 

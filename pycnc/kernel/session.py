@@ -74,8 +74,10 @@ class Session:
             setattr(self._host.switches, name, value)
 
     def push(self, name, is_pushed):
-        """Open or close the ``door``, push or pull out the ``emergency`` stop."""
-        bit = 1 << {"door": lib.HAL_IN_DOOR, "emergency": lib.HAL_IN_EMERGENCY}[name]
+        """Open or close the ``door``, push the ``emergency`` stop; set ``port0`` … ``port7``."""
+        pins = {"door": lib.HAL_IN_DOOR, "emergency": lib.HAL_IN_EMERGENCY}
+        pins |= {f"port{k}": lib.HAL_IN_PORT + k for k in range(8)}
+        bit = 1 << pins[name]
         pushed = self._host.switches.pushed & ~bit
         self._host.switches.pushed = pushed | bit if is_pushed else pushed
 

@@ -78,15 +78,21 @@ class Draft:
                 self.put(f"{table}.{position_key(letter)}", place, "0 is outside of the travel")
 
     def sourced(self, problems):
-        """Return problems of keys, with what the values were made of; of each line the first."""
-        told, lines = [], set()
+        """Return problems of keys, with what the values were made of; of each line the first.
+
+        What is in no line follows from what is: it is told where nothing else is.
+        """
+        told, follows, lines = [], [], set()
         for key, words in problems:
             comment = self.values.get(key, ("", ""))[1]
             line = _OF_LINE.match(comment)
-            if line is None or line[0] not in lines:
-                told.append((key, f"{words}; {comment}" if comment else words))
+            row = key, f"{words}; {comment}" if comment else words
+            if comment and line is None:
+                follows.append(row)
+            elif line is None or line[0] not in lines:
+                told.append(row)
             lines.add(line and line[0])
-        return told
+        return told or follows
 
     def text(self, head=()):
         """Return the machine file; head: comment lines at its top."""

@@ -69,6 +69,9 @@ class Inputs(Table):
     emergency: Literal["pushed", "released"] = Field(
         "released", description="The emergency stop, when the machine is switched on."
     )
+    ports: list[Annotated[int, Field(ge=0, le=7)]] = Field(
+        [], description="Ports of M66 that read 1, of 0 to 7, when the machine is switched on."
+    )
     x: AxisSwitch | None = Field(None, description="Switches of X.")
     y: AxisSwitch | None = Field(None, description="Switches of Y.")
     z: AxisSwitch | None = Field(None, description="Switches of Z.")
@@ -175,8 +178,9 @@ def _pair(letters):
     return next((at for at, switch in letters.items() if switch.second is not None), None)
 
 
-def _wires(inputs, axes, period):
+def _wires(settings):
     """Return where the simulated machine has its switches."""
+    inputs, axes, period = settings.inputs, settings.axis.present(), settings.kernel.period_ms
     letters, pair = inputs.present(), _pair(inputs.present())
     place, far = _places(letters, axes)
     wires = {
@@ -184,6 +188,7 @@ def _wires(inputs, axes, period):
         "homes_only": _bits(at for at, switch in letters.items() if not switch.limit),
         "far": _bits(at for at, switch in letters.items() if switch.far is not None),
         "far_nm": far, "bounce": round(inputs.bounce_ms / period),
+        "rpm_tick": float(settings.spindle.a_max_rpm_s * period / 1000),
     }  # fmt: skip
     if pair:
         wires |= {"pair": AXES.index(pair) + 1, "second_nm": _nm(letters[pair].second)}
@@ -197,7 +202,7 @@ def switches_of(settings):
     inputs = settings.inputs
     if inputs is None:
         return None
-    axes, letters = settings.axis.present(), inputs.present()
+    letters = inputs.present()
     least = _least(letters)
     period = settings.kernel.period_ms
     pair = _pair(letters)
@@ -210,4 +215,5 @@ def switches_of(settings):
         "pair": AXES.index(pair) + 1 if pair else 0, "skew": float(inputs.skew_mm),
     }  # fmt: skip
     pushed = {"door": inputs.door == "open", "emergency": inputs.emergency == "pushed"}
-    return said, _wires(inputs, axes, period), pushed
+    pushed |= {f"port{k}": True for k in inputs.ports}
+    return said, _wires(settings), pushed

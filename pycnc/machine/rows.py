@@ -87,6 +87,7 @@ def rows_of(settings):
     record["kinematics"] = _KINEMATICS[settings.kinematics.type]
     record["spindle"]["rpm_max"] = float(settings.spindle.rpm_max)
     record["spindle"]["a_max_rpm_s"] = float(settings.spindle.a_max_rpm_s)
+    record["spindle_waits"] = settings.spindle.waits
     _fill_dialect(record["dialect"], settings.dialect)
     _fill_approach(record["approach"], settings)
     _fill_positions(record, settings)

@@ -170,6 +170,7 @@ class Spindle(Table):
         description="How fast the speed can change, in rpm a second: under G96 no move is faster "
         "than the spindle can follow; 0: at once.",
     )
+    waits: bool = Field(False, description="M3, M4 and another S rest until the speed is there.")
 
 
 class Times(Table):

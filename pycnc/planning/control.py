@@ -24,7 +24,8 @@ _KINDS = {
 }  # fmt: skip
 _LINES = 16384  # of Klipper that are planned together
 _LINES_LEAST = 1024
-_SPEED_OF_ALL = 220  # M220 S: percent of the speed of all moves
+_SPEED, _FLOW = 220, 221  # M220 S, M221 S: percent of the speed of all moves, of what is extruded
+_E = AXES.index("u")
 _STRETCHES = 65536  # rows at a time; more, where one block has more of them
 FREE = 1e12  # mm/s, mm/s²: no limit
 _NOBODY_S_MM = Decimal("0.0101010101")
@@ -228,7 +229,8 @@ class Planner:
 
     def __init__(self, program, shares=None, override=1.0, traced=False):
         machine = self._machine = program.machine
-        self._override, self._speed = override, 1.0
+        self._override, self._shares = override, {_SPEED: 1.0, _FLOW: 1.0}
+        self._e_nm = [int(machine.record["start_nm"][_E])] * 2  # as the program counts, as it is
         self._program, self._rule = program, rule_of(machine)
         self._bare = _bare(machine)
         if self._bare is not None:
@@ -301,9 +303,11 @@ class Planner:
         return self._stretches[: trace.stretch_count], self._feet[: trace.foot_count]
 
     def _overridden(self, blocks):
-        """Return blocks at the speeds that the override leaves of them, and M220 of a printer."""
+        """Return blocks at the speeds that the override leaves of them, and a printer's M220, with
+        as much filament as its M221 has."""
         prints = self._machine.settings.control.kind in PRINTERS
-        share = self._override * self._said(blocks) if prints else self._override
+        share = self._override * self._said(blocks, _SPEED) if prints else self._override
+        blocks = self._flown(blocks) if prints else blocks
         if np.all(share == 1):
             return blocks
         blocks = copied(blocks)
@@ -311,17 +315,32 @@ class Planner:
         blocks["feed"] *= np.where(scaled, share, 1.0)
         return blocks
 
-    def _said(self, blocks):
-        """Return the share of the speed that the program itself says, M220 S, of each block."""
+    def _flown(self, blocks):
+        """Return blocks whose steps of filament are the share that the program says."""
+        share = self._said(blocks, _FLOW)
+        said_nm, is_nm = self._e_nm
+        if (np.all(share == 1) and said_nm == is_nm) or not len(blocks):
+            self._e_nm = [int(blocks["target_nm"][-1, _E])] * 2 if len(blocks) else self._e_nm
+            return blocks
+        blocks = copied(blocks)
+        places = blocks["target_nm"][:, _E].astype(np.float64)
+        self._e_nm[0] = int(places[-1])
+        steps = np.diff(places, prepend=said_nm) * share
+        blocks["target_nm"][:, _E] = np.rint(is_nm + np.cumsum(steps))
+        self._e_nm[1] = int(blocks["target_nm"][-1, _E])
+        return blocks
+
+    def _said(self, blocks, code):
+        """Return the share that the program itself says by a code of M, of each block."""
         told = blocks["output"]
-        says = (blocks["kind"] == lib.NCK_BLOCK_OUTPUT) & (told["number"] == _SPEED_OF_ALL)
+        says = (blocks["kind"] == lib.NCK_BLOCK_OUTPUT) & (told["number"] == code)
         says &= (told["kind"] == lib.NCK_OUTPUT_SETTING) & (told["value"] > 0)
         if not says.any():
-            return self._speed
-        shares = np.full(len(blocks), self._speed)
+            return self._shares[code]
+        shares = np.full(len(blocks), self._shares[code])
         for place in np.flatnonzero(says):
             shares[place:] = told["value"][place] / 100
-        self._speed = shares[-1]
+        self._shares[code] = shares[-1]
         return shares
 
     def _pieces(self):

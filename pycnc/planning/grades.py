@@ -178,8 +178,8 @@ def link_angles(segs):
         (n − 1,) angles, 0 … π [rad].
     """
     segs = join("nck_seg_t", [segs])
-    at, joints = pointer("nck_seg_t", segs), range(max(0, len(segs) - 1))
-    return np.array([lib.nck_host_link_angle(at + k, at + k + 1) for k in joints])
+    at, junctions = pointer("nck_seg_t", segs), range(max(0, len(segs) - 1))
+    return np.array([lib.nck_host_link_angle(at + k, at + k + 1) for k in junctions])
 
 
 class Grades(Motion):

@@ -171,8 +171,8 @@ class Samples:
             pose[name] = values
         places = begun.place + share[:, None] * begun.way
         pose["axis"][:, : len(AXES)] = places
-        joints = np.rint(places[:, self._places] * self._counts)
-        rows["axes"]["joint_nm"][:, : len(self._places)] = joints
+        junctions = np.rint(places[:, self._places] * self._counts)
+        rows["axes"]["joint_nm"][:, : len(self._places)] = junctions
         rows["spindle_rpm"] = some["spindle_rpm"]
         rows["feed_percent"] = rows["rapid_percent"] = 100
         self._put_rates(rows, some, begun.way, v)

@@ -57,6 +57,8 @@ class Program:
         if machine.settings.dialect.programs and not isinstance(self.text, kernel.Blocks):
             self._join_programs()
         self._veil(machine)
+        if not isinstance(self.text, kernel.Blocks):
+            self.machine = machine = zero.further(self.text, machine)
         if machine.settings.work.zero == "unknown":
             self.machine = self._lay_travel(machine)
         self.tolerance_most_mm, self.has_threads, self._end = 0.0, False, 0

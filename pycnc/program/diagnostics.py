@@ -236,6 +236,7 @@ class Wording:
             "remark": _remark(source, column),
             "key_of_g": f"{float(value):g}".replace(".", "_"),
             "base": settings.dialect.base,
+            "feed_units": "before it" if settings.dialect.base == "linuxcnc" else "of its line",
             **_whose(int(limit) if name == "other-base" else 0),
             "units": "inches (G20)" if settings.dialect.units == "inch" else "mm (G21)",
             "plane": settings.dialect.plane,

@@ -308,7 +308,8 @@ WORDING = {
         "set them in the machine file, as in --set axis.x.a_max_mm_s2=1000",
     ),
     "assumed-length": (
-        "the machine file has no tools: 0 is taken for the length of tool {value:.0f}, and of all",
+        "the machine file has no tools: 0 is taken for length and radius of tool {value:.0f}, and "
+        "of all",
         "to say it: [tool.{value:.0f}] in the machine file, or a tool table: --tools tool.tbl",
     ),
     "feed-kept": (
@@ -359,8 +360,9 @@ WORDING = {
     "after-end": ("what follows the program's end is not read", "remove the text or the M2 / M30"),
     "called-from": ("called from here", ""),
     "feed-units": (
-        "F beside a change of units is read in the units that its own line begins",
-        "put G20 or G21 on a line before: LinuxCNC reads such an F in the units before the line",
+        "F beside a change of units is read in the units {feed_units}",
+        "put G20 or G21 on a line before: LinuxCNC reads such an F in the units before the line, "
+        "other controls in those of its line",
     ),
     **MOTION,
 }

@@ -64,8 +64,10 @@ _POLAR_PLANE = ("{found} is a place in the plane of X and Y, and another one is 
 _SLANT = {
     "word-unused:,": ("{found} is the angle of a line, and no G1 is in force", "say G1 before it"),
     "incremental:,": (
-        "{found} counts from where the tool is, and another code of its block moves the zero",
-        "put the other code on a line before",
+        "{found} counts from where the tool is: another code of its block moves the zero, or the "
+        "line before ends where this one leads",
+        "put the other code on a line before; behind a line with an angle alone say where the end "
+        "is, not by how far (G90, X and Z)",
     ),
     "layout-on:,": (
         "{found} cannot be had while coordinates are mirrored, scaled, turned or polar",
@@ -76,8 +78,8 @@ _SLANT = {
         "keep two of the three",
     ),
     "unsupported:,": (
-        "{found} without an axis asks for the corner of two lines, which is not supported",
-        "say one axis of the plane in each line",
+        "{found}: where the line before ends is not known, which has an angle alone",
+        "say both axes of the plane here, where this line ends",
     ),
     "number-range:,": (
         "a line at {found} comes to no such place", "say the other axis of the plane"
@@ -236,6 +238,11 @@ MOTION = {
     "comp-on:M72": (
         "M72 would switch radius compensation, which needs a move of its own",
         "say G40 before it, or keep the state in the same compensation",
+    ),
+    "corner:A": (
+        "a line with an angle alone ends where it meets the next line, and they do not meet",
+        "say in the next line an angle and both axes (G1 ,A30. and then X20. Y9. ,A90.); both lie "
+        "a degree apart at least",
     ),
     "corner": (
         "a corner {letter}{value} does not fit between this move and the next one",

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from pycnc import errors, kernel
+from pycnc.kernel.bind import lib
 from pycnc.machine import Machine
 from pycnc.machine.quantity import TRAVEL_LIMIT
 from pycnc.machine.schema import AXES, WORK_SYSTEMS, position_key, unit_of
@@ -19,6 +20,8 @@ from pycnc.program.reach import free_reach_of, line_beyond, reach_of
 
 # Words that lead to places of the machine, which stay where they are when the work is moved.
 _OF_MACHINE = re.compile(rb"G *0*(28|30|53)(?![\d])", re.I)
+# Fanuc's further work systems: G54.1 P, G54 P; Haas' G154 P, of which G110 … are the first ones.
+_FURTHER = re.compile(rb"G *0*(?:(?:54(?:\.1)?|154) *P *0*(\d+)|1([12]\d)(?![\d.]))", re.I)
 # Two places of the zero by which those are told from the work's, and no program has them. [mm]
 _ZEROS = Decimal("137.035999"), Decimal("271.828183")
 _FREE = Decimal(-TRAVEL_LIMIT), Decimal(TRAVEL_LIMIT)
@@ -62,6 +65,32 @@ def changes(words, machine):
         )
     said = dict(zip(letters, places, strict=False))
     return {"work.zero": "told"} | _zeros(machine, said)
+
+
+def _numbers_further(text, work):
+    """Return the further work systems that a text names and nobody has laid, as many as fit."""
+    named = {int(p or int(g) - 9) for p, g in _FURTHER.findall(text)}
+    laid = set(map(int, work.p))
+    numbers = sorted(named.intersection(range(1, lib.NCK_WORK_MOST + 1)) - laid)
+    return numbers[: lib.NCK_OWN_M_MAX - len(laid)]
+
+
+def further(text, machine):
+    """Return a machine whose further work systems lie where all others do.
+
+    Of those that the text names and nobody has laid elsewhere. Where the others lie apart, nothing
+    is known of them.
+    """
+    work = machine.settings.work
+    if machine.settings.dialect.base != "fanuc":
+        return machine
+    first, *others = (getattr(work, name) for name in WORK_SYSTEMS)
+    numbers = _numbers_further(text, work)
+    if not numbers or others != [first] * len(others):
+        return machine
+    at = {position_key(letter): first.along(letter) for letter in machine.axes}
+    told = {f"work.p.{number}.{key}": value for number in numbers for key, value in at.items()}
+    return Machine.load(machine, set=told)
 
 
 def place(text, machine):

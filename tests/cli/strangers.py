@@ -23,8 +23,6 @@ import configurations  # noqa: E402
 import stranger_programs  # noqa: E402
 from command_line import pycnc  # noqa: E402
 
-# What a print says of its limits.
-_LIMITS = re.compile(rb"M *20[1-5]|M *220|SET_VELOCITY_LIMIT", re.I)
 SHIPPED = ("router", "laser", "printer_klipper", "printer_marlin", "printer", "haas_vf2",
            "lathe_fanuc", "mill3", "mill4")  # fmt: skip
 FITS = {
@@ -179,9 +177,6 @@ class Stranger:
             before_s = sum(part["time_s"] for part in whole["parts"] if part["line"] < line)
             if abs(before_s + left_s - total_s) > 1e-6 * (1 + total_s):
                 self.faults.append(f"line {line}: {before_s} + {left_s} s are not {total_s}")
-        before = b"\n".join(self.file.read_bytes().splitlines()[: line - 1])
-        if _LIMITS.search(before):  # such limits do not come along yet
-            return
         later = self.timed("--from-line", line)
         if told.code == 0 and later and later["total_s"] < left_s * (1 - 5e-3) - 0.02:
             self.faults.append(f"from line {line} {later['total_s']} s, and {left_s} are left")

@@ -166,11 +166,12 @@ def test_a_turning_cycle_notes_a_system_that_nobody_said(system):
     assert [each["id"] for each in found].count("assumed-system") == (system is None)
 
 
-def test_a_feed_beside_its_units_is_read_in_them_with_a_note():
-    text = b"G90 G17 G94 G20 F10\nG1 X1\nM2\n"
-    (note,) = json.loads(pycnc("check", "--json", "-", stdin=text).out)
+@pytest.mark.parametrize(("base", "feed"), [("linuxcnc", "F10"), ("grbl", "F254")])
+def test_a_feed_beside_its_units_is_read_as_the_language_does_with_a_note(base, feed):
+    text, more = b"G90 G17 G94 G20 F10\nG1 X1\nM2\n", ("--dialect", base)
+    (note,) = json.loads(pycnc("check", "--json", "-", *more, stdin=text).out)
     assert (note["id"], note["severity"], note["line"]) == ("feed-units", "note", 1)
-    assert "F254 mm/min" in pycnc("lab", "canon", "-", stdin=text).out
+    assert f"{feed} mm/min" in pycnc("lab", "canon", "-", *more, stdin=text).out
 
 
 def test_the_travel_message_names_the_end_that_was_passed():
@@ -239,3 +240,8 @@ def test_any_bytes_are_decoded_or_refused(data):
 
 MILL = Machine.load("mill3")
 CODES = {getattr(lib, name) for name in dir(lib) if name.startswith(("NCK_E_", "NCK_NOTE_"))}
+
+
+def test_quiet_tells_like_errors_once_with_their_count():
+    told = pycnc("check", "-q", "-", stdin=b"G1 F100 X1 E5\n" * 99).out
+    assert told.count("error[") == 2 and "98 more like this" in told and "note" not in told

@@ -15,7 +15,7 @@ BLOCK = """
 import sys
 class Absent:
     def find_spec(self, name, path=None, target=None):
-        if name.partition(".")[0] in {absent}:
+        if name.partition(".")[0] in {absent} or name in {rooms}:
             raise ModuleNotFoundError(f"No module named {{name!r}}", name=name)
 sys.meta_path.insert(0, Absent())
 """
@@ -48,8 +48,9 @@ def bare():
     }
     assert {"matplotlib", "pyarrow", "pyopencl"} <= absent
 
-    def run(code, *arguments, **options):
-        command = [sys.executable, "-c", BLOCK.format(absent=absent) + code, *map(str, arguments)]
+    def run(code, *arguments, rooms=(), **options):
+        block = BLOCK.format(absent=absent, rooms=rooms)
+        command = [sys.executable, "-c", block + code, *map(str, arguments)]
         return subprocess.run(command, capture_output=True, timeout=120, **options)
 
     return run
@@ -96,6 +97,13 @@ def test_what_is_absent_is_named_in_one_sentence(bare, arguments, code, words, t
     assert (done.returncode, done.stdout, len(lines)) == (code, b"", 1)
     assert words in lines[0]
     assert list(tmp_path.iterdir()) == []
+
+
+def test_benches_are_of_the_tree(bare):
+    done = bare(COMMAND, "lab", "bench", "tick", rooms=["pycnc.bench"])
+    said = (b"pycnc: error[absent]: pycnc.bench is in the source tree alone: "
+            b"run this in a checkout of pycnc\n")  # fmt: skip
+    assert (done.returncode, done.stdout, done.stderr) == (2, b"", said)
 
 
 def test_a_picture_without_matplotlib_is_an_error_of_the_family(bare):

@@ -292,6 +292,7 @@ class Doors(Storm):
     lines = (*LINES[1:], *LINES[4:6], *WAYS, *WAYS, *WAYS)  # no slower brakes
     rests_at = None  # ticks of the session from which on nothing moves
     swung = 0  # … and when the door was
+    begun = 0  # … the wait in work
 
     def swing(self):
         super().swing()
@@ -320,11 +321,14 @@ class Doors(Storm):
 
     def hear(self, said):
         super().hear(said)
+        if "Unlocked" in said and self.open and self.begun - self.swung > BOUNCE_MOST:
+            raise Broken("unlocked while the door is open")
         if re.match("ALARM|Grbl", said) and not self.open:
             self.rests_at = None
 
     def wait(self, ticks):
-        left = max(0, (self.rests_at or 0) - self.session.ticks)
+        self.begun = self.session.ticks
+        left = max(0, (self.rests_at or 0) - self.begun)
         if left > 0:
             super().wait(min(left, ticks))
         moved = self.session.moving

@@ -7,6 +7,7 @@
     python tests/controller/serving_runs.py brakes COUNT [FIRST]    holds at any moment
     python tests/controller/serving_runs.py modes COUNT [FIRST]     modes at the tool, by line
     python tests/controller/serving_runs.py resets COUNT [FIRST]    resets at any moment
+    python tests/controller/serving_runs.py returns COUNT [FIRST]   from outside of the travel
 
 A session in a file is text, a step a line: ``> G1 X5`` sends a line, ``= 18`` bytes in hexadecimal,
 ``. 200`` lets ticks pass; ``< ok`` is what is said next, where … stands for anything. What
@@ -430,8 +431,51 @@ def brakes(seed):
     return ticks
 
 
+def _place(draw, least, most, at):
+    """Return a place that lies somewhere about the travel and where the axis stands."""
+    kinds = (lambda: draw.uniform(least, most), lambda: draw.choice((least, most, at)),
+             lambda: at + draw.uniform(-30, 30), lambda: draw.uniform(least - 60, most + 60),
+             lambda: at + draw.choice((0.001, -0.001)))  # fmt: skip
+    return round(draw.choice(kinds)(), 3)
+
+
+def _may_go(least, most, at, to):
+    """Return whether an axis may go straight from a place to another."""
+    return least <= to <= most or most < to <= at or at <= to < least
+
+
+def returns(seed):
+    """Stand outside of the travel: ways nearer are taken, others not, none leads further out."""
+    draw = random.Random(seed)
+    talk = Talk(mill(**{"path.slope": draw.choice(("jerk", "linear", "optimal"))}))
+    axes = [lib.nck_machine_of(talk.session._nck).axis[k] for k in range(3)]
+    travel = [(axis.min_nm / 1e6, axis.max_nm / 1e6) for axis in axes]
+    at = [_place(draw, *ends, draw.choice(ends)) for ends in travel]
+    talk.said.clear()
+    for line in ("$20=0", "G21G90F5000", "G53G0X{}Y{}Z{}".format(*at)):
+        talk.ask(line)
+    talk.settle()
+    talk.ask("$20=1")
+    for _ in range(12):
+        named = draw.sample(range(3), draw.randint(1, 3))
+        to = [_place(draw, *travel[k], at[k]) if k in named else at[k] for k in range(3)]
+        words = "".join(f"{'XYZ'[k]}{to[k]:.3f}" for k in named)
+        line = draw.choice(("$J=G53{}F4000", "G53G0{}", "G53G1{}", "G2{}R200"))
+        may = all(_may_go(*travel[k], at[k], to[k]) for k in named)
+        answer = talk.ask(line.format(words))[-1]
+        if "R" not in line and answer != ("ok" if may else "error:15"):
+            raise Broken(f"{line.format(words)} from {at}: {answer}")
+        beyond = [(min(least, at[k]), max(most, at[k])) for k, (least, most) in enumerate(travel)]
+        while talk.status()["state"] != "Idle":
+            for (least, most), nm in zip(beyond, talk.session.joints_nm, strict=True):
+                if not least * 1e6 - 1 <= nm <= most * 1e6 + 1:
+                    raise Broken(f"{line.format(words)} from {at} leads to {nm}")
+        at = [nm / 1e6 for nm in talk.session.joints_nm]
+    talk.check()
+
+
 SEARCHES = {"streams": streams, "jogs": jogs, "bytes": bytes_at_random, "brakes": brakes,
-            "modes": modes, "resets": resets}  # fmt: skip
+            "modes": modes, "resets": resets, "returns": returns}  # fmt: skip
 
 
 def main(searches):

@@ -4,12 +4,15 @@
     python tests/controller/switching_runs.py homes COUNT [FIRST]    homed again and again
     python tests/controller/switching_runs.py probes COUNT [FIRST]   a plate that is probed
     python tests/controller/switching_runs.py limits COUNT [FIRST]   limits, doors, broken wires
+    python tests/controller/switching_runs.py waits COUNT [FIRST]    the spindle's speed, M66
 """
 
 import random
 import sys
 
-from serving_runs import RESET, RESUME, Broken, Talk, main, mill
+from serving_runs import HOLD, RESET, RESUME, Broken, Talk, main, mill
+
+from pycnc.machine import Machine
 
 STEP_NM = 5000  # of a motor: 200 steps a millimetre
 MOST_NM = 200_000_000  # of the least travel, either way
@@ -258,7 +261,83 @@ def _break_off(draw, talk, kind):
     talk.settle()
 
 
-SEARCHES = {"homes": homes, "probes": probes, "limits": limits}
+def _tick(draw, talk):
+    """Let a tick pass, under an operator's hands; nothing moves while the spindle is too slow."""
+    switches, moved = talk.session._host.switches, talk.session.moving
+    slow = switches.rpm != switches.rpm_wanted and switches.rpm_wanted != 0
+    if draw.random() < 0.03:
+        talk.send(draw.choice((HOLD, RESUME, RESUME)))
+    talk.wait(1)
+    if slow and switches.rpm != switches.rpm_wanted and talk.session.moving > moved:
+        raise Broken(f"moves at {switches.rpm} of {switches.rpm_wanted} rpm")
+
+
+def _do(draw, talk, line, happens=None, at=None):
+    """Send a line and wait for its answer; in a tick of it a port is pushed."""
+    talk.send(line.encode() + b"\n")
+    for ticks in range(100_000):
+        if ticks == at:
+            talk.session.push(*happens)
+        if talk.said:
+            break
+        _tick(draw, talk)
+        if ticks % 50 == 0:
+            talk.send(RESUME)
+    if talk.said != ["ok"]:
+        raise Broken(f"{line}: {talk.said}")
+    talk.said.clear()
+
+
+def _ask_input(draw, talk):
+    """Wait for a port; return what #5399 has to be."""
+    port, kind, comes = draw.randrange(8), draw.randrange(5), draw.random() < 0.6
+    name, is_on = f"port{port}", draw.random() < 0.5
+    if kind in (1, 2):
+        is_on = kind == 2
+    talk.session.push(name, is_on)
+    talk.settle()
+    line = f"M66P{port}L{kind}" + (f"Q{30 if comes else 0.2}" if kind else "")
+    goes = comes and draw.randint(400, 800)
+    _do(draw, talk, line, (name, not is_on), at=goes or None)
+    if kind == 0:
+        return int(is_on)
+    high = kind in (1, 3)
+    if kind > 2 and is_on == high:
+        return int(high)
+    return int(high) if comes else -1
+
+
+def waits(seed):
+    """Nothing moves before the spindle has its speed, whatever is sent; M66 has its answer."""
+    draw = random.Random(seed)
+    settings = {"spindle.waits": True, "spindle.a_max_rpm_s": draw.randint(1000, 20000)}
+    machine = Machine.load("mill3", set={"path.slope": draw.choice(("jerk", "linear"))} | settings)
+    talk = Talk(machine)
+    bounce = draw.randint(0, 6)
+    rate = settings["spindle.a_max_rpm_s"] * machine.pointer[0].period_s
+    talk.session.connect({"homes": 0, "debounce": 25}, bounce=bounce, rpm_tick=rate)
+    talk.said.clear()
+    words = ("M3S{s}", "M4", "M5", "S{s}", "M3", "M8", "G4P0.05", "M4S{s}")
+    for _ in range(12):
+        x = draw.randint(-20, 20)
+        kind = draw.random()
+        if kind < 0.4:
+            _do(draw, talk, draw.choice(words).format(s=draw.randint(10, 9000)))
+        if kind > 0.7:
+            answer = _ask_input(draw, talk)
+            _do(draw, talk, f"G1X[{x}+#5399]F3000")
+            x += answer
+        else:
+            _do(draw, talk, f"G{draw.choice('01')}X{x}F3000")
+    for _ in range(300):
+        _tick(draw, talk)
+    talk.settle()
+    if talk.session.joints_nm[0] != x * 1_000_000:
+        raise Broken(f"at {talk.session.joints_nm}, not at X{x}")
+    talk.check()
+
+
+SEARCHES = {"homes": homes, "probes": probes, "limits": limits, "waits": waits}
 
 
 if __name__ == "__main__":

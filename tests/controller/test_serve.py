@@ -52,6 +52,12 @@ def test_a_reset_brakes_at_any_moment_and_keeps_the_place(seed):
     serving_runs.resets(seed)
 
 
+@pytest.mark.sample(4, quick=1)
+@pytest.mark.parametrize("seed", range(1, 101))
+def test_an_axis_outside_of_its_travel_may_come_nearer_and_goes_no_further(seed):
+    serving_runs.returns(seed)
+
+
 @pytest.mark.sample(10, quick=3)
 @pytest.mark.parametrize("seed", range(1, 501))
 def test_noise_breaks_nothing(seed):

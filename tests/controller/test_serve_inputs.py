@@ -96,6 +96,21 @@ def test_a_hold_outlasts_the_plate_that_its_brake_meets():
     assert talk.session.joints_nm[0] == at[0] + 3_000_000
 
 
+def test_a_door_that_is_open_keeps_the_lock_and_is_heeded_behind_it():
+    talk = Talk(machine(INPUTS))
+    talk.said.clear()
+    talk.session.push("door", True)
+    talk.wait(100)
+    assert talk.status()["state"] == "Alarm"
+    assert talk.ask("$X") == talk.ask("$H") == ["error:13"]
+    talk.session.push("door", False)
+    talk.wait(100)
+    assert talk.ask("$X") == ["[MSG:Caution: Unlocked]", "ok"]
+    talk.session.push("door", True)
+    talk.wait(100)
+    assert talk.status()["state"] == "Door:0" and talk.ask("$X") == ["ok"]
+
+
 def test_an_emergency_stop_ends_no_check():
     talk = Talk(machine())
     talk.ask("$X"), talk.ask("$C")

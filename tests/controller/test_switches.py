@@ -24,6 +24,12 @@ def test_limits_doors_and_broken_wires_are_told(seed):
     switching_runs.limits(seed)
 
 
+@pytest.mark.sample(6, quick=2)
+@pytest.mark.parametrize("seed", range(1, 201))
+def test_the_path_waits_for_the_spindle_and_m66_is_answered(seed):
+    switching_runs.waits(seed)
+
+
 def test_settings_of_homing_are_listed_and_set():
     talk = Talk(mill())
     talk.session.connect({"homes": 0})

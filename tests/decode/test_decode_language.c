@@ -144,7 +144,6 @@ static const wrong_t wrongs[] = {
     {"G0 G41.1 X1\nM2\n", NCK_E_WORD_MISSING, 1, 4},
     {"G41.1 D4 L10\nM2\n", NCK_E_NUMBER_RANGE, 1, 10},
     {"G42 D1.5\nM2\n", NCK_E_NUMBER_RANGE, 1, 5},
-    {"G42 D9\nM2\n", NCK_E_TOOL_UNKNOWN, 1, 5},
     {"G41 L2\nM2\n", NCK_E_WORD_UNUSED, 1, 5},
     {"G17 G41.1 D4 L2\nM2\n", NCK_E_COMP_PLANE, 1, 5},
     {"G41.1 D4\nG42.1 D4\nM2\n", NCK_E_COMP_ON, 2, 1},
@@ -275,6 +274,7 @@ static void a_tool_must_be_in_the_table_if_there_is_one(check_t *check) {
     self.machine.tool_count = 1;
     self.machine.tool[0].number = 5;
     check_error(check, &self, "T77 M6\nM2\n", NCK_E_TOOL_UNKNOWN, 1, 1);
+    check_error(check, &self, "G42 D9\nM2\n", NCK_E_TOOL_UNKNOWN, 1, 5);
     check_error(check, &self, "T5 M6\nT0 M6\nM2\n", NCK_OK, 0, 0);
 }
 

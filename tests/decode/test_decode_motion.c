@@ -30,17 +30,23 @@ static void axes_without_a_word_stay(check_t *check) {
 
 static void units_apply_to_their_own_block(check_t *check) {
     case_begin(&self);
-    case_decode(&self, "X1 G0 G20\nG1 X2 F10\nG21 X3 F20\nG0 X0 F30\nG1 X1\nM2\n");
+    case_decode(&self, "X1 G0 G20\nG1 X2 F10\nG21 X3\nG0 X0 F30\nG1 X1\nM2\n");
     goes_to(check, 0, 25.4, 0, 0);
     goes_to(check, 1, 50.8, 0, 0);
     goes_to(check, 2, 3, 0, 0);
     CHECK_NEAR(check, self.block[1].feed, 254.0, 1e-12);
-    CHECK_NEAR(check, self.block[2].feed, 20.0, 0.0);
+    CHECK_NEAR(check, self.block[2].feed, 254.0, 1e-12);
     CHECK_NEAR(check, self.block[4].feed, 30.0, 0.0);
 }
 
-static void a_feed_word_in_its_units_line_is_in_those_units(check_t *check) {
+// RS274NGC sets the feed before the units; other controls know those of the line.
+static void a_feed_beside_a_change_of_units_is_in_those_that_the_language_has(check_t *check) {
     case_begin(&self);
+    case_decode(&self, "G1 F10 G20 X1\nM2\n");
+    CHECK_NEAR(check, self.block[0].feed, 10.0, 1e-12);
+    if (NCK_LANGUAGE == 0) return;
+    case_begin(&self);
+    self.machine.dialect.base = NCK_DIALECT_GRBL;
     case_decode(&self, "G1 F10 G20 X1\nM2\n");
     CHECK_NEAR(check, self.block[0].feed, 254.0, 1e-12);
 }
@@ -168,7 +174,7 @@ static void rotary_axes_count_in_degrees_and_ignore_inches(check_t *check) {
     if (NCK_AXIS_MAX < 4) return;
     case_begin(&self);
     self.machine.axis[NCK_AXIS_Z + 1].present = 1;
-    case_decode(&self, "G20 G1 F100 A90.0000005\nA91 X1\nG91 A1\nG2 I1 A1\nM2\n");
+    case_decode(&self, "G20\nG1 F100 A90.0000005\nA91 X1\nG91 A1\nG2 I1 A1\nM2\n");
     CHECK_INT(check, self.errors, 0);
     CHECK_INT(check, self.block[0].target_nm[NCK_AXIS_MAX > 3 ? 3 : 0],
               (int64_t)90 * NCK_COUNTS_PER_DEG + NCK_COUNTS_PER_DEG / 2000000);
@@ -191,7 +197,7 @@ int main(void) {
     check_t check = {0};
     CHECK_RUN(&check, axes_without_a_word_stay);
     CHECK_RUN(&check, units_apply_to_their_own_block);
-    CHECK_RUN(&check, a_feed_word_in_its_units_line_is_in_those_units);
+    CHECK_RUN(&check, a_feed_beside_a_change_of_units_is_in_those_that_the_language_has);
     CHECK_RUN(&check, work_offsets_shift_the_zero);
     CHECK_RUN(&check, g92_renames_the_position);
     CHECK_RUN(&check, tool_length_moves_the_tip_not_the_machine);

@@ -132,7 +132,7 @@ static void a_feed_beside_a_change_of_units_is_noted(check_t *check) {
     CHECK_INT(check, self.findings, 1);
     CHECK_INT(check, self.finding[0].code, NCK_NOTE_FEED_UNITS);
     CHECK_INT(check, self.finding[0].line, 1);
-    CHECK_NEAR(check, self.block[0].feed, 254.0, 0.0);
+    CHECK_NEAR(check, self.block[0].feed, 10.0, 0.0);
     // What others read alike: units that stay, F on its own line, F in 1/min.
     case_decode(&self, "G21 F10\nG20\nF10\nG93 G21 F2\nG20 F2\nM2\n");
     CHECK_INT(check, self.findings, 0);

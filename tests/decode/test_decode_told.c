@@ -6,7 +6,7 @@ static told_t self;
 
 static const told_row_t plain_rows[] = {
     {"G20 G0 X1 Y-2.5 Z.001\nG1 F10 X0 Y0\nG21 X1 F20\n",
-     "1 rapid X25.4 Y-63.5 Z0.0254; 2 line X0 Y0 F254; ?3:0 feed-units; 3 line X1 F20"},
+     "1 rapid X25.4 Y-63.5 Z0.0254; 2 line X0 Y0 F254; ?3:0 feed-units; 3 line X1 F508"},
     {"G91 G0 X1 Y1\nX1 Z-2\nG90 X1\n",
      "1 rapid X1 Y1; 2 rapid X2 Z-2; 3 rapid X1"},
     {"G1 X1 F100\nF200\nX2\nX3 F300\nG0 X4\nG1 X5\n",
@@ -25,7 +25,7 @@ static const told_row_t plain_rows[] = {
     {"G1 F.00006 X1\nF.00005 X2\n",
      "1 line X1 F6e-05; !2:1 number-range F 5e-05/6e-05"},
     {"G20 G1 F39370 X1\nF39371 X2\n",
-     "?1:0 feed-units; 1 line X25.4 F999998; 2 line X50.8 F1000023.4"},
+     "?1:0 feed-units; 1 line X25.4 F39370; 2 line X50.8 F1000023.4"},
     {"G95 G1 M3 S10 F.00001 X1\n",
      "1 out S10 per-rev; 1 out M3 S10; 1 line X1 F1e-05"},
     {"G4 P0\nG4 P1000000\nG4 P1000000.5\n",
@@ -173,7 +173,7 @@ static const told_row_t arcs_rows[] = {
      "2 line X10 Y20 F100; 3 arc X20 G17 about 15 20 by 180;"
      " 5 arc X11 G17 about 15.5 20 by -180"},
     {"F60 G20 G91\nG2 X1 I.5\nG3 X1 Y1 J1\nG90 X0 Y0 R2\n",
-     "?1:0 feed-units; 2 arc X25.4 G17 about 12.7 0 by -180 F1524;"
+     "?1:0 feed-units; 2 arc X25.4 G17 about 12.7 0 by -180 F60;"
      " 3 arc X50.8 Y25.4 G17 about 25.4 25.4 by 90;"
      " 4 arc X0 Y0 G17 about 44.23714 -24.97429 by 67.9757"},
     {"G43.1 X1 Y2 Z3\nF100 G1 X0 Y0 Z0\nG2 X10 I5\nG18 G3 X0 I-5\n",
@@ -200,9 +200,10 @@ static void arcs_go_about_their_centre(check_t *check) {
 }
 
 static const told_row_t six_rows[] = {
-    {"G0 A90 B-45.5 C.001\nG1 A0 F360\nX1 A10\nF100 A20 B30\nG20 A30 F10\nX1 A40\nC5\n",
+    {"G0 A90 B-45.5 C.001\nG1 A0 F360\nX1 A10\nF100 A20 B30\nG20 A30 F10\nX1 A40\nF10 X2\nC5\n",
      "1 rapid A90 B-45.5 C0.001; 2 line A0 F360; 3 line X1 A10; 4 line A20 B30 F100;"
-     " ?5:0 feed-units; 5 line A30 F10; 6 line X25.4 A40 F254; 7 line C5 F10"},
+     " ?5:0 feed-units; 5 line A30 F10; 6 line X25.4 A40; 7 line X50.8 F254;"
+     " 8 line C5 F10"},
     {"G91 G0 A10 X1\nA10\nG92 A0\nG90 A10\nG53 A0\nG10 L2 P1 A5\nA0\nG28 A3\nG28\n",
      "1 rapid X1 A10; 2 rapid A20; 4 rapid A30; 5 rapid A0; 7 rapid A25; 8 rapid A28;"
      " 8 rapid A0; 9 rapid; 9 rapid X0"},
@@ -210,7 +211,7 @@ static const told_row_t six_rows[] = {
      "!1:9 number-range A 1000001/1000000; 2 line A1000000 F100; 3 line A-1000000;"
      " 4 arc X1 Y1 A2 G17 about 4 -3 by -16.2602; !5:0 arc-centre; !6:0 arc-centre"},
     {"G20 F60 G2 X1 R1 A5\nG3 I.5 B7 P2\n",
-     "?1:0 feed-units; 1 arc X25.4 A5 G17 about 12.7 -21.99705 by -60 F1524;"
+     "?1:0 feed-units; 1 arc X25.4 A5 G17 about 12.7 -21.99705 by -60 F60;"
      " 2 arc B7 G17 about 38.1 0 by 720"},
 };
 

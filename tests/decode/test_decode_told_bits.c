@@ -127,8 +127,8 @@ static const told_row_t layouts2_rows[] = {
      " 15 line~ Z-1; 15 rapid~ Z1"},
     {"G51 X0 Y0 I2. J2.\nG41 D1\nG50\nG68 X0 Y0 R90. G1 X1. F9.\nG33 Z1. F1.\nG90.1\n"
      "G3 X0 Y1. I0 J0\nG69\n",
-     "!2:5 tool-unknown D 1/0; !4:19 word-twice X; !5:1 unsupported G 33/0;"
-     " !6:1 other-base G 90.1/1"},
+     "?2:5 assumed-length D 1/0; !3:1 comp-on G 0.4/0; !4:19 word-twice X; !5:1 unsupported G"
+     " 33/0; !6:1 other-base G 90.1/1; !8:1 comp-on G 6.4/0"},
 };
 
 static void a_place_is_mapped_from_where_it_stands(check_t *check) {

@@ -154,7 +154,7 @@ static const told_row_t notes_rows[] = {
     {"G64\nG64 P0\nG64 P0\nG64 P.00009\n",
      "?2:5 no-tolerance P"},
     {"F10 G20\nF20 G20\nG21 F5\nG93 G20 F2 G1 X1\nG94 G21 G1 F1 X0\n",
-     "?1:0 feed-units; ?4:0 assumed-distance; 4 line X25.4 F2 inverse; 5 line X0 F1 per-min"},
+     "?1:0 feed-units; ?4:0 assumed-distance; 4 line X25.4 F2 inverse; 5 line X0 F25.4 per-min"},
 };
 
 static void what_a_text_leaves_unsaid_is_noted(check_t *check) {

@@ -63,7 +63,7 @@ static const told_row_t cycles_rows[] = {
      " 6 line~ Z-7; 6 rapid~ Z3; !7:0 word-missing R"},
     {"G20 G0 Z1 F10\nG81 X1 Z-.5 R.1\nG83 X2 Z-.5 R.1 Q.25\nG73 X3 Z-.5 R.1 Q.25\n"
      "G21 X9 Z-3 R1 Q2\n",
-     "?1:0 feed-units; 1 rapid Z25.4; 2 rapid~ X25.4; 2 rapid~ Z2.54; 2 line~ Z-12.7 F254;"
+     "?1:0 feed-units; 1 rapid Z25.4; 2 rapid~ X25.4; 2 rapid~ Z2.54; 2 line~ Z-12.7 F10;"
      " 2 rapid~ Z2.54; 3 rapid~ X50.8; 3 line~ Z-3.81; 3 rapid~ Z2.54; 3 rapid~ Z-3.556;"
      " 3 line~ Z-10.16; 3 rapid~ Z2.54; 3 rapid~ Z-9.906; 3 line~ Z-12.7; 3 rapid~ Z2.54;"
      " 4 rapid~ X76.2; 4 line~ Z-3.81; 4 rapid~ Z-3.556; 4 line~ Z-10.16; 4 rapid~ Z-9.906;"

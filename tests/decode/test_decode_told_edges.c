@@ -136,7 +136,7 @@ static const told_row_t fknots_rows[] = {
     {"G6.2 P2 K0. X0. Y0. R2. F9.\nK0. X2. Y2. R1.\nK1.\nK1.\nG0 X5.\nK1.\n",
      "4 line X2 Y2 F9; 5 rapid X5; !6:1 word-unused K"},
     {"G17 G41 D1\nG6.2 P2 K0. X0. Y0. R2. F9.\n",
-     "!1:9 tool-unknown D 1/0; !2:1 spline M 6.2/0"},
+     "?1:9 assumed-length D 1/0; !2:0 comp-on G 6.2/0"},
     {"G18 G6.2 P2 K0. X0. Y0. F9.\nK0. X2. Y2.\nK1.\nK1.\n",
      "4 line X2 Y2 F9"},
     {"G6.2 P2 K0. X0. Y0. A1. F9.\n",

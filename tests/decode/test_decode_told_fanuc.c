@@ -165,11 +165,13 @@ static const told_row_t fanuc_rows[] = {
      " 12 arc X-15 Y1 G17 about -10 1 by 180; !14:0 arc-centre"},
     {"G51.1 Y10.\nG0 X1. Y1.\nG41 D1\nG54\nG28\nG92 X0\nG52 X0\nG53 X0\nG10 L2 P1 X0\nG18\n"
      "G50.1 Y0\nG68 X0 Y0 R30.\nG18\nG50.1\nG69 \nG51 P.5\nG81 X1. Z-5. R1. F100.\nG50\n",
-     "2 rapid X1 Y19; !3:5 tool-unknown D 1/0; !4:1 layout-on G 54/0; !5:1 layout-on G 28/0;"
-     " !6:1 layout-on G 92/0; !7:1 layout-on G 52/0; !8:1 layout-on G 53/0;"
-     " !9:1 layout-on G 10/0; !17:0 layout-on Y"},
+     "2 rapid X1 Y19; ?3:5 assumed-length D 1/0; !4:1 layout-on G 54/0; !5:1 layout-on G 28/0;"
+     " !6:1 layout-on G 92/0; !7:1 layout-on G 52/0; !8:1 layout-on G 53/0; !9:1 layout-on G"
+     " 10/0; !10:1 comp-on G 18/0; !11:1 comp-on G 1.6/0; !12:1 comp-on G 12.8/0; !13:1 comp-on"
+     " G 18/0; !14:1 comp-on G 1.6/0; !15:1 comp-on G 6.4/0; !16:1 comp-on G 0.8/0; !17:0"
+     " comp-on G 81/0; !18:1 comp-on G 0.4/0"},
     {"G17 G41 D1 G1 X1. F100.\nG40 X0\n",
-     "!1:9 tool-unknown D 1/0; 2 rapid"},
+     "?1:9 assumed-length D 1/0; 1 line X1 F100; 2 line X0"},
     {"G0 X.5 Y1,5\nG1 X10. ,R2. F100.\nY10.\nX20. ,C1.\nY0\nX30. ,R20.\nY1.\nX40. ,C1.\nX50.\n"
      "X60. ,R1.\nG0 X70.\nG1 X80. ,R1. ,C1.\nX90. ,R-1.\nX95. ,R0\nY5.\nX100. ,B5.\n",
      "!1:10 character 44/0; 2 line X8 F100; 2 arc X10 Y2 G17 about 8 2 by 90; 3 line Y10;"

@@ -235,7 +235,7 @@ static const told_row_t call2_rows[] = {
     {"G1 X10. F9.\nG3 X10. Y10. R5. ,R1.\nG1 X0 S9 M4 F8.\n",
      "1 line X10 F9; !2:19 corner R 1/0"},
     {"G17 G41 D1\nG10 L10 P1 R5.\nG49 H1\nG43 H0\nG43.1 Z1.\nG40 D1\nG42 G41\n",
-     "!1:9 tool-unknown D 1/0; !2:9 tool-unknown P 1/0; !3:5 word-unused H;"
+     "?1:9 assumed-length D 1/0; !2:1 comp-on G 10/0; !3:5 word-unused H; !4:1 comp-on G 43/0;"
      " !5:1 unsupported G 43.1/0; !6:5 word-unused D; !7:5 modal-group G 41/0"},
 };
 

@@ -74,7 +74,7 @@ static const told_row_t lathe_rows[] = {
      " 11 out surface 304800000 S9 V304800000; 12 out S9 V0; 13 out S200 S200"},
     {"G95 F.2 S300 M3 G1 X10\nZ-5 F.1\nG96 S100 D1000\nX20\nG20 F.01 X1\nG94 X2 F5\n",
      "1 out S300 per-rev; 1 out M3 S300; 1 line X10 F0.2; 2 line Z-5 F0.1;"
-     " 3 out surface 100000 S1000 V100000; 4 line X20; ?5:0 feed-units; 5 line X25.4 F0.254;"
+     " 3 out surface 100000 S1000 V100000; 4 line X20; ?5:0 feed-units; 5 line X25.4 F0.01;"
      " 6 line X50.8 F127 per-min"},
     {"O1 sub\nG0 X10\nG1 Z-10 F1\nX14\nZ-20\nO1 endsub\nG0 X20 Z2\n"
      "G71 Q1 X20 Z2 D2 I.5 R.5 F100\nG70 Q1 X20 Z2 F50\n",

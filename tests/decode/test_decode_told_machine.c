@@ -156,11 +156,11 @@ static const told_row_t marlin_rows[] = {
      " 39 out M900"},
     {"M104\nM104 S-1\nM104 S1000001\nM104 S1000000\nM104 S200 G0 X1\nM104 S200 M106\n"
      "G1 X1 E1 U1 F60\nG4\nG4 S-1\nE2000000\nM82 M83\nM117\nM18 X\nM110 N5\nE1\n",
-     "!1:1 word-missing S 104/0; !2:6 number-range S -1/1000000;"
-     " !3:6 number-range S 1000001/1000000; 4 out M104=1000000; !5:1 modal-group M 104/0;"
-     " !6:11 modal-group M 106/0; !7:10 word-twice U; !8:1 word-missing P;"
-     " !9:4 number-range S -1/1000000; !10:1 number-range E 2000000/1000000;"
-     " !11:5 modal-group M 83/0; 12 out M117; 13 out M18; 14 out M110; 15 rapid U1"},
+     "!1:1 word-missing S 104/0; !2:6 number-range S -1/1000000; !3:6 number-range S"
+     " 1000001/1000000; 4 out M104=1000000; !5:1 modal-group M 104/0; !6:11 modal-group M"
+     " 106/0; !7:10 word-twice U; 8 dwell for 0; !9:4 number-range S -1/1000000; !10:1"
+     " number-range E 2000000/1000000; !11:5 modal-group M 83/0; 12 out M117; 13 out M18; 14"
+     " out M110; 15 rapid U1"},
     {"G1 X1 F60\nX2 F0\nG0 X3 F-5\nG1 X4\nX5 F1\nX6 F0\n",
      "1 line X1 F60; ?2:4 feed-kept F; 2 line X2; 3 rapid X3 F60; 4 line X4; 5 line X5 F1;"
      " 6 line X6"},

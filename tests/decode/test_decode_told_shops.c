@@ -22,8 +22,9 @@ static void modes_are_noted_once(check_t *check) {
 static const told_row_t explained_rows[] = {
     {"G5.1 Q1\nG1 X1. F100.\nG5.1 Q2\nX2.\nG5.1 Q0\nX3.\nG61\nG5.1 Q1\nX4.\nG64\nX5.\nG103 P1\n"
      "G103 X1.\nG103 M8\nX6.\n",
-     "2 line X1 F100 P0.05 Q0.05; ?3:1 mode-stays G 5.1/0; 4 line X2; 6 line X3 P0.01 Q0.01;"
-     " 9 line X4 stop P0 Q0; 11 line X5 smooth P0.05 Q0.05; !14:1 modal-group G 103/0; 15 line X6"},
+     "2 line X1 F100 P0.05 Q0.05; ?3:1 mode-stays G 5.1/0; 4 line X2; 6 line X3 P0.01 Q0.01; 9"
+     " line X4 stop P0 Q0; 11 line X5 smooth P0.05 Q0.05; !13:6 word-unused X; 14 out M8; 15"
+     " line X6 P0.01 Q0.01"},
 };
 
 static void a_machine_explains_its_modes(check_t *check) {

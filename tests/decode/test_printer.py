@@ -127,3 +127,9 @@ def test_a_limit_of_nothing_changes_nothing(words):
     plain, told = (Plan(program, keep=False).why() for program in both)
     assert told.time_s == plain.time_s > 0
     assert [row["lost_s"] for row in told.causes] == [row["lost_s"] for row in plain.causes]
+
+
+def test_a_dwell_of_a_printer_without_a_time_is_a_rest():
+    program = pycnc.load(f"{HEAD}G1 X5\nG4 ; wait\nG1 X9\n", "printer_marlin")
+    (rest,) = program.blocks[program.blocks["kind"] == lib.NCK_BLOCK_DWELL]
+    assert program.diagnostics.errors == 0 and rest["dwell_s"] == 0

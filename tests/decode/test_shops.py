@@ -101,12 +101,25 @@ def test_a_mode_that_says_too_little_or_is_not_built_is_refused(line, found):
     assert decode(f"{HEAD}{line}\nM30\n", mill())[1] == [(found, 4)]
 
 
+def test_haas_looks_so_many_lines_ahead_with_a_note():
+    assert decode(f"{HEAD}G103 P1\nG1 X1. F90.\nG103\nM30\n", mill())[2].count("mode-stays") == 1
+
+
+def test_a_machine_without_tools_takes_no_radius_with_a_note():
+    text = f"{HEAD}G41 D7 G1 X9. F90.\nY9.\nG40 X20.\nM30\n"
+    bare = pycnc.load(text, Machine.load("haas_vf2"))
+    notes = [each for each in bare.diagnostics if each.id == "assumed-length"]
+    assert bare.diagnostics.errors == 0 and "radius of tool 7" in notes[0].message
+    one = pycnc.load(text, Machine.load("haas_vf2", set={"tool.1.radius_mm": 2}))
+    assert [each.id for each in one.diagnostics if each.severity == "error"] == ["tool-unknown"]
+
+
 def test_a_code_of_the_machine_file_alone_is_done_as_it_says():
-    machine = mill("g.103.action=ignore", "g.332_p2.action=tolerance", "g.332_p2.tolerance_mm=0.2")
-    text = f"{HEAD}G103 P1\nG332 P2 K9.\nG1 X1. F100.\nM30\n"
+    machine = mill("g.203.action=ignore", "g.332_p2.action=tolerance", "g.332_p2.tolerance_mm=0.2")
+    text = f"{HEAD}G203 P1\nG332 P2 K9.\nG1 X1. F100.\nM30\n"
     assert told(text, machine)["tolerance_mm"][-2] == 0.2
-    assert decode(f"{HEAD}G103 P1 G1 X5.\nM30\n", machine)[1] == [("modal-group", 4)]
-    assert decode(f"{HEAD}G103 P1\nM30\n", mill())[1] == [("g-unknown", 4)]
+    assert decode(f"{HEAD}G203 P1 G1 X5.\nM30\n", machine)[1] == [("modal-group", 4)]
+    assert decode(f"{HEAD}G203 P1\nM30\n", mill())[1] == [("g-unknown", 4)]
 
 
 @pytest.mark.parametrize(

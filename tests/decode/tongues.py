@@ -35,7 +35,7 @@ def _spread(words):
 # LinuxCNC 2.9, "G-Codes"; grbl 1.1, "Supported G-Codes"; Fanuc 0i-MF and 0i-TF, "Preparatory
 # function (G function)"; Marlin 2.1, "G-code Index".
 _MODAL = "0-4 17-21 28 53-59 80 90-92 "
-_HAAS = "110 111 114-129 154 187"  # Haas, "Mill G-codes"; G61.1: Mitsubishi's, and Mazak's
+_HAAS = "103 110 111 114-129 154 187"  # Haas, "Mill G-codes"; G61.1: Mitsubishi's, and Mazak's
 G = {
     "linuxcnc": _MODAL
     + "5 5.1 5.2 5.3 7 8 9 10 28.1 30 30.1 33 33.1 38.2 38.3 38.4 38.5 40-43 41.1 42.1 43.1 43.2 "

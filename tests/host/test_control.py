@@ -275,6 +275,30 @@ def test_m220_is_a_share_of_every_feed_behind_it(kind, seed):
     assert found == pytest.approx(expected, rel=1e-9)
 
 
+@pytest.mark.parametrize("kind", ["klipper", "marlin"])
+@pytest.mark.parametrize("seed", range(6))
+def test_m221_is_a_share_of_all_filament_behind_it(kind, seed):
+    rng = random.Random(seed)
+    said, scaled, share, e, out = ["G21 G90", "M82"], ["G21 G90", "M82"], 1.0, 0.0, 0.0
+    for k in range(60):
+        if rng.random() < 0.2:
+            share = rng.choice((0.25, 0.5, 1, 2))
+            said.append(f"M221 S{share * 100:g}")
+            scaled.append("M106 S9")
+        if rng.random() < 0.1:
+            for lines in (said, scaled):
+                lines.append("G92 E0")
+            e = out = 0.0
+        step = rng.choice((0.4, -0.8, 1.6, 0))
+        e, out = e + step, out + step * share
+        place = rng.choice((f"X{rng.uniform(0, 30):.2f} Y{rng.uniform(0, 30):.2f} ", ""))
+        said.append(f"G1 {place}E{e:.3f} F2400")
+        scaled.append(f"G1 {place}E{out:.3f} F2400")
+    machine = machine_of(kind)
+    found, expected = (time_of("\n".join(lines), machine) for lines in (said, scaled))
+    assert found == pytest.approx(expected, rel=1e-9)
+
+
 def test_macros_are_told_once_and_skipped():
     text = "START_PRINT BED=60\nG21\nG90\n" + "EXCLUDE_OBJECT_START NAME=a\nG1 X10 F600\n" * 3
     program = load(text.encode(), klipper())

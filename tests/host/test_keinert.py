@@ -15,7 +15,7 @@ ACCELERATION = 1000.0
 
 
 def surface(n, step_mm, corners, seed=0):
-    """Return (w_cap, h, w_feed) of a path of short blocks, some of their joints corners."""
+    """Return (w_cap, h, w_feed) of a path of short blocks, some of their junctions corners."""
     rng = np.random.default_rng([n, seed])
     w_cap = np.where(rng.random(n) < corners, rng.uniform(0, FEED**2, n), FEED**2)
     h = 2 * ACCELERATION * rng.uniform(0.5 * step_mm, 1.5 * step_mm, n - 1)

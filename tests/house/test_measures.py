@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The figures of the house get no worse; measures.py prints them."""
 
+import re
+
+import house
 import measures
 import pytest
 
@@ -40,6 +43,18 @@ def test_the_glossary_is_short_and_a_word_of_it_is_of_one_room():
     assert rooms["plan"] == {"5_slope"}
     several = {word for word, found in rooms.items() if len(found) > 1}
     assert several == {"contour"}  # one thing: room 1 reads it, room 2 goes beside it
+
+
+def test_the_pages_grow_no_longer(told):
+    every, running = told["words of docs and DESIGN: all / running text"].split(" / ")
+    assert int(every.replace(",", "")) <= 42_500
+    assert int(running.replace(",", "")) <= 24_000
+
+
+def test_a_joint_is_an_axis_drive_and_nothing_else():
+    prep = [name for name in house.CORE if "/prep/" in name]
+    word = re.compile(r"(?<![A-Za-z])joints?(?!_nm)(?![a-z])", re.I)
+    assert [name for name in prep if word.search(house.read(name))] == []
 
 
 def test_no_rule_stands_in_two_files():

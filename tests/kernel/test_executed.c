@@ -175,11 +175,21 @@ static void at_the_tool_is_in_force_what_its_line_has_left(check_t *check)
     CHECK(check, behind > count);
 }
 
+static void a_line_that_is_refused_leaves_nothing_at_the_tool(check_t *check)
+{
+    static const char *const texts[] = {"G95 F1", "G0 X1", "G0 X2", "M8 G1 X3", "G0 X4"};
+    begin(NCK_SLOPE_LINEAR);
+    for (uint32_t k = 0; k < sizeof texts / sizeof *texts; k++) line(check, texts[k]);
+    rest(check);
+    CHECK(check, known[5].coolant == 0);
+}
+
 int main(int argc, char **argv)
 {
     check_t check = {0};
     if (argc > 1) count = (uint32_t)strtoul(argv[1], NULL, 10);
     if (argc > 2) first = (uint32_t)strtoul(argv[2], NULL, 10);
+    CHECK_RUN(&check, a_line_that_is_refused_leaves_nothing_at_the_tool);
     CHECK_RUN(&check, at_the_tool_is_in_force_what_its_line_has_left);
     return check_end(&check);
 }

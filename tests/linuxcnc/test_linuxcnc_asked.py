@@ -54,6 +54,17 @@ def test_no_override_makes_a_move_faster_than_its_cap(stand_in, move, share):
     assert speeds(run).max() == pytest.approx(min(80 * share, 60), abs=0.06)  # 1 ‰ of it
 
 
+M49 = "enables 12"  # FS_ENABLED is 2
+
+
+@pytest.mark.parametrize("name,word", [("rapids", "rapid"), ("feed", "line")])
+def test_a_move_of_m49_begins_where_an_override_of_none_keeps_others(stand_in, name, word):
+    other = {"rapid": "line", "line": "rapid"}[word]
+    script = [EXACT, f"{other} 50 10 0 0", M49, f"{word} 50 20 0 0", f"{name} 0", "settled 9000"]
+    for module in (None, OWN):
+        assert stand_in.run(script, module=module).places[-1, 0] == pytest.approx(20, abs=1e-6)
+
+
 @pytest.mark.parametrize("share", [0.5, 1])
 def test_a_rapid_is_no_faster_than_its_cap_and_the_next_one_is(stand_in, share):
     run = stand_in.run([f"rapids {share}", caps(40), "rapid 40 50 0 0", caps(),

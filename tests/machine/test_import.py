@@ -492,3 +492,9 @@ def test_an_empty_travel_is_told_without_the_places_in_it():
     with pytest.raises(MachineFileError) as caught:
         Machine.load("mill3", set={"axis.x.min_mm": 400})
     assert str(caught.value).count("error[machine]") == 1
+
+
+def test_a_number_out_of_range_is_told_without_what_follows_from_it(tmp_path):
+    (tmp_path / "g.txt").write_text(_DOLLARS.replace("$121=10", "$121=1e30"))
+    told = pycnc("machine", "import", tmp_path / "g.txt").err
+    assert told.count("error[") == 1 and "$121" in told

@@ -159,3 +159,15 @@ def test_verbs_take_a_zero(tmp_path):
         assert told.code == 0 and "work-zero" not in told.out + told.err, verb
         told = pycnc(*verb.split(), "-", "-m", file, "--zero=1e9,0", stdin=program)
         assert told.code == 2 and "work.g54.x_mm" in told.err
+
+
+@pytest.mark.parametrize("row", ["G54.1 P3", "G54 P 12", "G154P99", "G110", "G129", "g154 p7"])
+@pytest.mark.parametrize("zero", [None, "-400,-300,-200"])
+def test_a_further_work_system_lies_where_all_others_do(row, zero, tmp_path):
+    (tmp_path / "part.nc").write_text(f"G21 G90 G0 G54 X1. Y2. Z3.\n{row} X4. Y5. Z6.\nM30\n")
+    more = ["--zero", zero] if zero else []
+    told = pycnc("check", tmp_path / "part.nc", "-m", "haas_vf2", *more)
+    assert told.code == 0, told.out + told.err
+    apart = Machine.load("haas_vf2", set={"work.zero": "told", "work.g55.x_mm": -9})
+    text = f"G21 G90 G0 {row} X4. Y5. Z6.\nM30\n".encode()
+    assert load(text, apart).machine.settings.work.p == {}

@@ -80,6 +80,9 @@ def test_an_empty_environment_makes_a_page_without_a_compiler(wheel, tmp_path, v
     assert done.returncode == 0, done.stderr
     page = (tmp_path / "part.html").read_text(encoding="utf-8")
     assert page.startswith("<!doctype html>") and '"file": "part.ngc"' in page
+    done = call(programs / "pycnc", "lab", "bench", "tick", cwd=tmp_path, env=bare)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "pycnc.bench is in the source tree alone" in done.stderr
 
 
 def pip_config():
@@ -121,6 +124,7 @@ def test_it_has_its_licences_and_no_more_than_it_needs(inside):
         assert inside[f"licenses/{name}"] == (ROOT / name).read_text(encoding="utf-8")
     rooms = {name.split("/")[0] for name in inside["names"]}
     assert {room for room in rooms if not room.endswith(".dist-info")} == {"pycnc"}
-    assert not [name for name in inside["names"] if "__pycache__" in name or "/tests/" in name]
+    unasked = re.compile(r"__pycache__|/tests/|^pycnc/(?:bench|papers)/")
+    assert [name for name in inside["names"] if unasked.search(name)] == []
     for name in ("report/page.js", "report/page.html", "report/page.css", "report/palette.json"):
         assert f"pycnc/{name}" in inside["names"]

@@ -47,10 +47,11 @@ def test_a_program_keeps_its_promises(seed):
 # One in a hundred and fifty passes one, by a tenth, where a clock sets off in a bend while a new
 # plan comes: it must not overtake that.
 @pytest.mark.sample(2)
+@pytest.mark.parametrize("operate", [clocked.operated, clocked.slowed])
 @pytest.mark.parametrize("part", range(8))
-def test_whatever_the_operator_does_the_path_keeps_limits_of_its_own(part):
+def test_whatever_the_operator_does_the_path_keeps_limits_of_its_own(part, operate):
     seeds = range(9 * part, 9 * part + 9, 3)
-    found = [clocked.findings(seed, operate=clocked.operated) for seed in seeds]
+    found = [clocked.findings(seed, operate=operate) for seed in seeds]
     assert sum(words != "" for words in found) <= 1, found
 
 

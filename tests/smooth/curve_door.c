@@ -11,7 +11,7 @@ typedef struct curve_run {
     double tau, longest, tolerance, feed, v, a, j;
     int pieces;
     double told[8]; // windows, iterations, iterations of plans, again, missed, most |r − p|/P,
-                    // rests for want of a curve, joints with no rest behind them
+                    // rests for want of a curve, seams with no rest behind them
 } curve_run_t;
 
 static nck_stream_t stream;

@@ -183,7 +183,7 @@ def test_a_looser_tolerance_is_not_slower(make):
         judged.plan(load(make(f"G64 P{tolerance}")))[0]["time_s"]
         for tolerance in ("0.003", "0.01", "0.03", "0.1", "0.3")
     ]
-    # 0.5 % is wanted; where P grows beyond a bend's chords it is 2.1 % (docs/jerk.md).
+    # 0.5 % is wanted; where P grows beyond a bend's chords it is 2.1 % (docs/planner.md, 15).
     assert all(late <= 1.025 * early for early, late in zip(times, times[1:], strict=False)), times
 
 

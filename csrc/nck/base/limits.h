@@ -201,15 +201,28 @@
 #define NCK_JERK_STATE union
 #endif
 
+// Whether a program that begins in the middle has what it has put out before, its address. A build
+// without parameters begins there with modes, tool and spindle alone.
+#define NCK_HAS_KEPT (NCK_HAS_FOREIGN && NCK_VARIABLES > 0)
+#if NCK_HAS_KEPT
+#define NCK_KEPT_MEMBER(type, name) type name;
+#define NCK_KEPT_AT(self, name) (&(self)->name)
+#else
+#define NCK_KEPT_MEMBER(type, name)
+#define NCK_KEPT_AT(self, name) ((void *)0)
+#endif
+
 // A member that only builds with the optimal slope have, and its address: elsewhere nobody asks for
-// it.
+// it, or one of the same type that is there serves in its place.
 #if NCK_HAS_OPTIMAL
 #define NCK_OPTIMAL_MEMBER(type, name) type name;
 #define NCK_OPTIMAL_AT(self, name) (&(self)->name)
+#define NCK_OPTIMAL_OR(self, name, other) (&(self)->name)
 #define NCK_OPTIMAL_VALUE(self, name) ((self)->name)
 #else
 #define NCK_OPTIMAL_MEMBER(type, name)
 #define NCK_OPTIMAL_AT(self, name) ((void *)0)
+#define NCK_OPTIMAL_OR(self, name, other) (&(self)->other)
 #define NCK_OPTIMAL_VALUE(self, name) 0u
 #endif
 

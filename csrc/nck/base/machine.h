@@ -185,7 +185,8 @@ typedef struct nck_machine {
                              // 0: all of it
     uint32_t slope;          // nck_slope_kind_t
     uint32_t kinematics;     // nck_kinematics_t
-    uint32_t roams;          // 1: nothing is held against the travel
+    uint16_t roams;          // 1: nothing is held against the travel
+    uint16_t spindle_waits;  // 1: M3, M4 and another S while it turns are waited at, as M0 is
 
     struct {
         uint32_t base;       // nck_dialect_t

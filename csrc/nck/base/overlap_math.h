@@ -4,7 +4,8 @@
 #ifndef NCK_BASE_OVERLAP_MATH_H
 #define NCK_BASE_OVERLAP_MATH_H
 
-#include "nck/base/machine.h"   // nck_machine_t
+#include "nck/base/limits.h"    // NCK_HAS_OPTIMAL
+#include "nck/base/machine.h"   // nck_machine_t NCK_SLOPE_OPTIMAL
 #include "nck/base/real.h"      // nck_fabs nck_min nck_max nck_sqrt
 #include "nck/base/records.h"   // NCK_SEG_LINE
 #include "nck/base/root_math.h" // nck_root_cube
@@ -57,11 +58,41 @@ static inline double nck_overlap_axis(const nck_overlap_t *self, int x, double p
     return turns ? 1.0 : sign;
 }
 
-// The largest share of an axis' jerk that both take in sum, in their order in time or in any.
-// Cost: linear in the axes.
+// 1 if both together keep to the path's own limits, too: under the optimal slope these are the
+// tool's, under the jerk-limited one each motion's.
+static inline int nck_overlap_keeps_path(const nck_machine_t *machine) {
+    return NCK_HAS_OPTIMAL && machine->slope == NCK_SLOPE_OPTIMAL;
+}
+
+// in·out; *jj_out: the square of the jerk of both at once, to the same side in time or, where it is
+// more, in any order. Cost: linear in the axes.
+static inline double nck_overlap_along(const nck_machine_t *machine, int axes,
+                                       const nck_overlap_t *self, int ordered, double *jj_out) {
+    double dot = 0.0, jj[2] = {0.0, 0.0};
+    for (int x = 0; x < axes; x++) {
+        if (!machine->axis[x].present) continue;
+        for (int n = 0; n < 2; n++) {
+            const double part = self->j[n] * (n ? self->out[x] : self->in[x]);
+            jj[n] += part * part;
+        }
+        dot += self->in[x] * self->out[x];
+    }
+    const double both = 2.0 * self->j[0] * self->j[1] * (ordered ? dot : nck_fabs(dot));
+    *jj_out = nck_max(jj[0] + jj[1] + both, nck_max(jj[0], jj[1]));
+    return dot;
+}
+
+// The largest share that both take in sum of an axis' jerk, or of the path's own, in their order
+// in time or in any. Cost: linear in the axes.
 static inline double nck_overlap_taken(const nck_machine_t *machine, int axes,
                                        const nck_overlap_t *self, int ordered) {
     double most = 0.0;
+    if (nck_overlap_keeps_path(machine)) {
+        double jj;
+        (void)nck_overlap_along(machine, axes, self, ordered, &jj);
+        const double turn = self->turn[0] * self->j[0] + self->turn[1] * self->j[1];
+        most = (nck_sqrt(jj) + turn) / machine->path.j_max;
+    }
     for (int x = 0; x < axes; x++) {
         double part[2];
         if (!machine->axis[x].present) continue;
@@ -107,10 +138,18 @@ static inline double nck_overlap_load(const nck_machine_t *machine, int axes,
 }
 
 // Where they move opposite ways their accelerations add up, to no more than t·j at any time.
-// Returns how long the motions may overlap by that [s]. Cost: linear in the axes.
+// So do those along the path, where it turns back. Returns how long the motions may overlap by that
+// [s]. Cost: linear in the axes.
 static inline double nck_overlap_most(const nck_machine_t *machine, int axes,
                                       const nck_overlap_t *self) {
     double most = NCK_OVERLAP_FREE;
+    if (nck_overlap_keeps_path(machine)) {
+        double jj;
+        const double dot = nck_overlap_along(machine, axes, self, 1, &jj);
+        if (dot < self->turn[0] + self->turn[1]) {
+            most = machine->path.a_max / nck_max(self->j[0], self->j[1]);
+        }
+    }
     for (int x = 0; x < axes; x++) {
         double part[2];
         if (!machine->axis[x].present) continue;

@@ -308,7 +308,7 @@ typedef struct nck_pose {
 typedef enum nck_tick_state {
     NCK_TICK_IDLE = 0,    // at rest, nothing to do
     NCK_TICK_MOVE = 1,    // on the path
-    NCK_TICK_DWELL = 2,   // G4
+    NCK_TICK_DWELL = 2,   // G4, and a WAIT that is not the operator's (nck_await)
     NCK_TICK_WAIT = 3,    // M0, M1, M6: until nck_resume
     NCK_TICK_STARVED = 4, // on the stop tail, or at rest in the middle of the path
     NCK_TICK_HOLD = 5     // feed hold, single block or abort: braking, or at rest until nck_resume

@@ -87,6 +87,9 @@ nck_status_t nck_decode_leave_nothing(nck_decode_t *self);
 // Context: prep.
 nck_status_t nck_decode_probed(nck_decode_t *self, const int64_t *at_nm);
 
+// What M66 has found: #5399. Returns NCK_OK or NCK_E_VARIABLES. Cost: linear in the parameters.
+nck_status_t nck_decode_answered(nck_decode_t *self, double value);
+
 // Offsets, and the tools of T and M6. Returns NCK_OK; NCK_E_ARGUMENT where there is no such work
 // system, NCK_E_TOOL_UNKNOWN where there is no such tool. Cost: constant. Context: prep, between
 // two lines.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Beginning at a line in the middle: what stands before it is decoded; of its blocks only those of
 // the path are handed over, for 2_toolcomp follows the tool's centre along it. Then the way in, and
-// on it the tool, the spindle and the coolant that are in force there.
+// on it the tool, the spindle, the coolant and all else that has been put out and stays.
 #include "nck/prep/1_decode/decode.h"
 #include "nck/prep/1_decode/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_block nck_decode_fail nck_decode_give_m …
@@ -15,10 +15,21 @@
 
 enum {
     PHASE_AWAY, PHASE_TOOL, PHASE_REST, PHASE_CHANGE, PHASE_NEXT, PHASE_ACROSS, PHASE_SPEED,
-    PHASE_SPINDLE, PHASE_MIST, PHASE_FLOOD, PHASE_IN, PHASES
+    PHASE_SPINDLE, PHASE_MIST, PHASE_FLOOD, PHASE_KEPT, PHASE_IN = PHASE_KEPT + NCK_KEPT, PHASES
 };
 
 enum { MIST = 1, FLOOD = 2 }; // bits of modal.coolant
+
+// Where values are kept, among all that is put out and stays.
+enum { KEPT_ANALOGUE = NCK_KEPT_DIGITAL, KEPT_SETTING = KEPT_ANALOGUE + NCK_KEPT_ANALOGUE };
+
+// What a printer is set to: heaters, whose second code waits, the fan, and percent of speed and
+// flow.
+static const struct {
+    uint8_t sets, waits;
+} settings[NCK_KEPT_SETTINGS] = {{104, 109}, {140, 190}, {141, 191}, {106, 0}, {220, 0}, {221, 0}};
+
+enum { FAN = 3, M_FAN_OFF = 107 };
 
 // ---- where
 
@@ -79,8 +90,40 @@ static nck_status_t fail_reach(nck_decode_t *self) {
     return nck_decode_fail(self, NCK_E_LABEL, 0, 'N', line, 0.0);
 }
 
+// The place of what is put out; NCK_KEPT: nothing of it stays that others do not keep.
+static unsigned place_of(const nck_decode_t *self, const nck_output_t *put) {
+    const int is_off = put->kind == NCK_OUTPUT_M && put->value == (double)M_FAN_OFF;
+    unsigned k = 0;
+    if (put->kind == NCK_OUTPUT_DIGITAL) return put->number;
+    if (put->kind == NCK_OUTPUT_ANALOGUE) return KEPT_ANALOGUE + put->number;
+    if (is_off && self->tongue == NCK_TONGUE_MARLIN) return KEPT_SETTING + FAN;
+    if (put->kind != NCK_OUTPUT_SETTING) return NCK_KEPT;
+    while (k < NCK_KEPT_SETTINGS && settings[k].sets != put->number
+           && settings[k].waits != put->number) {
+        k++;
+    }
+    return KEPT_SETTING + k;
+}
+
+static void keep(nck_decode_t *self, const nck_output_t *put, int waits) {
+    nck_kept_t *const kept = NCK_KEPT_AT(self, entry.kept);
+    const unsigned place = place_of(self, put);
+    const uint32_t bit = (uint32_t)1 << place % 32;
+    if (!NCK_HAS_KEPT || place >= NCK_KEPT) return;
+    kept->told[place / 32] |= bit;
+    if (place < NCK_KEPT_DIGITAL) {
+        kept->on[place / 32] = put->value > 0.0 ? kept->on[place / 32] | bit
+                                                : kept->on[place / 32] & ~bit;
+        return;
+    }
+    kept->value[place - NCK_KEPT_DIGITAL] = put->kind == NCK_OUTPUT_M ? 0.0 : put->value;
+    if (waits && place >= KEPT_SETTING) kept->waits |= (uint32_t)1 << (place - KEPT_SETTING);
+}
+
 nck_status_t nck_entry_pass(nck_decode_t *self, const nck_block_t *block) {
+    const int waits = block->kind == NCK_BLOCK_WAIT;
     if (block->kind == NCK_BLOCK_END) return fail_reach(self);
+    if (waits || block->kind == NCK_BLOCK_OUTPUT) keep(self, &block->output, waits);
     if (block->kind == NCK_BLOCK_COMP) return NCK_OK;
     if (block->kind > NCK_BLOCK_ARC && block->kind != NCK_BLOCK_THREAD) return NCK_EMPTY;
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
@@ -127,6 +170,28 @@ static nck_status_t give_coolant(nck_decode_t *self, uint8_t phase, nck_block_t 
     return nck_decode_give_m(self, bit == MIST ? 7.0 : 8.0, out);
 }
 
+// What has been put out there and stays; a printer's heater is waited for if the program has.
+static nck_status_t give_kept(nck_decode_t *self, unsigned place, nck_block_t *out) {
+    const nck_kept_t *const kept = NCK_KEPT_AT(self, entry.kept);
+    const uint32_t bit = (uint32_t)1 << place % 32;
+    if (!NCK_HAS_KEPT || !(kept->told[place / 32] & bit)) return NCK_EMPTY;
+    if (place < NCK_KEPT_DIGITAL) {
+        const double value = (kept->on[place / 32] & bit) != 0 ? 1.0 : 0.0;
+        (void)nck_decode_give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_DIGITAL, value, out);
+        out->output.number = place;
+        return NCK_OK;
+    }
+    const int sets = place >= KEPT_SETTING;
+    const unsigned k = sets ? place - KEPT_SETTING : 0;
+    const int waits = sets && (kept->waits >> k & 1u);
+    (void)nck_decode_give_output(self, waits ? NCK_BLOCK_WAIT : NCK_BLOCK_OUTPUT,
+                                 sets ? NCK_OUTPUT_SETTING : NCK_OUTPUT_ANALOGUE,
+                                 kept->value[place - NCK_KEPT_DIGITAL], out);
+    out->output.number = place - KEPT_ANALOGUE;
+    if (sets) out->output.number = waits ? settings[k].waits : settings[k].sets;
+    return NCK_OK;
+}
+
 // ---- the way in
 
 // A part of it: each ends at a stop, and the spindle turns from the last one on.
@@ -147,6 +212,7 @@ static nck_status_t give_way(nck_decode_t *self, nck_way_t part, nck_block_t *ou
 }
 
 static nck_status_t give(nck_decode_t *self, uint8_t phase, nck_block_t *out) {
+    if (phase >= PHASE_KEPT && phase < PHASE_IN) return give_kept(self, phase - PHASE_KEPT, out);
     switch (phase) {
     case PHASE_AWAY: return give_way(self, NCK_WAY_AWAY, out);
     case PHASE_ACROSS: return give_way(self, NCK_WAY_ACROSS, out);

@@ -15,6 +15,7 @@ void nck_session_go_back(nck_decode_t *self) {
     if (self->session.phase == NCK_SESSION_NOT) return;
     *self = *self->session.before;
     self->text.complete = complete;
+    self->text.quick = 0; // what was told since counts for nothing
 }
 
 nck_status_t nck_decode_lend(nck_decode_t *self, nck_decode_t *before) {
@@ -39,6 +40,10 @@ nck_status_t nck_decode_probed(nck_decode_t *self, const int64_t *at_nm) {
     const nck_status_t status = nck_parameter_set_probe(self, at_nm != NULL);
     memcpy(self->place.position_nm, stands_nm, sizeof stands_nm);
     return status;
+}
+
+nck_status_t nck_decode_answered(nck_decode_t *self, double value) {
+    return nck_parameter_set_answer(self, value);
 }
 
 nck_status_t nck_decode_set_offsets(nck_decode_t *self, const nck_offsets_t *offsets) {

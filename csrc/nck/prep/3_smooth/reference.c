@@ -6,7 +6,7 @@
 
 #include "nck/base/real.h" // nck_fabs nck_max
 
-#define FOLLOWS 0.05 // of an interval that s may change by: more is a joint off the line
+#define FOLLOWS 0.05 // of an interval that s may change by: more is a seam off the line
 
 void nck_reference_point(nck_stream_t *self, double s, double *point_out) {
     self->near = nck_track_find(&self->track, self->near, s);
@@ -26,7 +26,7 @@ static double coefficient_of(nck_stream_t *self, int knot) {
 void nck_reference_set(nck_stream_t *self, int k) {
     const nck_timing_t *const clock = &self->clock;
     double *const point = self->point[k];
-    memcpy(point, self->joint[k < 3 ? k : 2], sizeof self->point[k]); // axes that never move
+    memcpy(point, self->seam[k < 3 ? k : 2], sizeof self->point[k]); // axes that never move
     if (k < 3) return;
     if (clock->ends && k >= clock->knots) memcpy(point, self->track.end, sizeof self->point[k]);
     else nck_reference_point(self, coefficient_of(self, k - 1), point);

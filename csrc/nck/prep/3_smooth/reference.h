@@ -5,7 +5,7 @@
 
 #include "nck/prep/3_smooth/stream.h" // nck_stream_t
 
-// The reference's control point k, of knots + 3: on the program at its knot; at rests and joints
+// The reference's control point k, of knots + 3: on the program at its knot; at rests and seams
 // what it has to be. Cost: one point. Context: prep.
 void nck_reference_set(nck_stream_t *self, int k);
 

@@ -401,7 +401,7 @@ static double next_to(nck_stream_t *self, double s, const double *point) {
     return nearest(self, self->near, s, off);
 }
 
-// s of the program on the way to a rest behind the joint, as coefficients of a spline: as near to
+// s of the program on the way to a rest behind the seam, as coefficients of a spline: as near to
 // the control points as can be, between knots; then ways that halve.
 static void set_places(nck_stream_t *self, const double *s, nck_sample_rest_t *rest) {
     double *const place = rest->place;

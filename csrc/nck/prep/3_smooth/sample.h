@@ -13,7 +13,7 @@ void nck_sample_interval(nck_stream_t *self, int i);
 // Cost: 5 points, 60 operations an axis and element. Context: prep.
 double nck_sample_miss(nck_stream_t *self, int i);
 
-// Intervals in which a curve comes to rest behind a joint.
+// Intervals in which a curve comes to rest behind a seam.
 enum { NCK_SAMPLE_REST = 6 };
 
 // Such a rest: control points, the last three of which are one, on the program.

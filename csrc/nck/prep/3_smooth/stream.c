@@ -15,8 +15,8 @@
 #define BLEND_SOON 8 // the same where the clock was far too fast
 #define SOUND 0.02 // [P²] rows may be off by in what is the answer
 #define LOST 100.0 // [P²] what has come of it is no curve
-#define NEXT 8      // knots behind a joint that are looked at, where to put it
-#define RELAXED ((nck_num)0.5) // that a joint further ahead must be better
+#define NEXT 8      // knots behind a seam that are looked at, where to put it
+#define RELAXED ((nck_num)0.5) // that a seam further ahead must be better
 #define JOINED 3   // intervals behind what is given that have to be within P, too
 #define FAR 1.2    // [P] what is off by more than that between samples is of a clock too fast
 #define MOST 40    // iterations of a curve
@@ -49,7 +49,7 @@ void nck_stream_begin(nck_stream_t *self, const nck_stream_wish_t *wish) {
     self->miss = 0.0;
     self->near = 0;
     memset(&self->told, 0, sizeof self->told);
-    memset(self->joint, 0, sizeof self->joint);
+    memset(self->seam, 0, sizeof self->seam);
     nck_track_begin(&self->track, wish->terms.axes, wish->terms.tau);
     nck_timing_begin(&self->clock, &self->wish.terms);
     nck_timing_keep(&self->clock, &self->work.list, &self->track, self->b, nothing);
@@ -57,7 +57,7 @@ void nck_stream_begin(nck_stream_t *self, const nck_stream_wish_t *wish) {
 
 nck_status_t nck_stream_push(nck_stream_t *self, const nck_seg_t *seg, double tolerance) {
     if (self->track.head == 0) {
-        for (int k = 0; k < 3; k++) memcpy(self->joint[k], seg->start, sizeof self->joint[k]);
+        for (int k = 0; k < 3; k++) memcpy(self->seam[k], seg->start, sizeof self->seam[k]);
     }
     return nck_track_push(&self->track, seg, tolerance);
 }
@@ -172,7 +172,7 @@ static void take_curve(nck_stream_t *self) {
     }
 }
 
-// What P holds back in the intervals behind a joint at the knot k: the prices of their rows.
+// What P holds back in the intervals behind a seam at the knot k: the prices of their rows.
 static nck_num tightness(const nck_fair_t *fair, int k) {
     nck_num sum = 0;
     for (int b = NCK_FAIR_BINS * k; b < NCK_FAIR_BINS * (k + NEXT); b++) sum += fair->price[b];
@@ -244,19 +244,19 @@ static nck_status_t try_again(nck_stream_t *self, double found) {
     return go(self, NCK_STREAM_REFERENCE);
 }
 
-// Intervals that are proven: those that are given, and the first ones behind their joint. So the
+// Intervals that are proven: those that are given, and the first ones behind their seam. So the
 // next window, which begins with three of this one's points, has a curve to begin with.
 static int proven_to(const nck_stream_t *self) {
     const int to = self->given + JOINED;
     return to < self->clock.knots ? to : self->clock.knots;
 }
 
-// No curve of this window is within P: the last one comes to rest behind its joint instead.
+// No curve of this window is within P: the last one comes to rest behind its seam instead.
 static nck_status_t halt(nck_stream_t *self) {
     nck_sample_rest_t rest;
     self->told.rests++;
     self->halts = 1;
-    memcpy(rest.point, self->joint, sizeof self->joint);
+    memcpy(rest.point, self->seam, sizeof self->seam);
     nck_sample_rest(self, self->knot_s, &rest);
     memcpy(self->point, rest.point, sizeof rest.point);
     for (int k = 1; k <= NCK_SAMPLE_REST; k++) {
@@ -295,7 +295,7 @@ static void set_knots(const nck_stream_t *self, int knot, double *s_out) {
     for (int k = 0; k < 3; k++) s_out[k] = self->clock.s[4 * (knot + k)];
 }
 
-// The joint is where the curve could rest within P, as late as may be: so the next window may fail.
+// The seam is where the curve could rest within P, as late as may be: so the next window may fail.
 static nck_status_t find_rest(nck_stream_t *self) {
     const int here = self->given - self->at;
     nck_sample_rest_t rest;
@@ -306,7 +306,7 @@ static nck_status_t find_rest(nck_stream_t *self) {
         return fail(self, FAR);
     }
     set_knots(self, here, knot_s);
-    memcpy(rest.point, &self->point[here], sizeof self->joint);
+    memcpy(rest.point, &self->point[here], sizeof self->seam);
     nck_sample_rest(self, knot_s, &rest);
     if (!(nck_sample_rest_miss(self, &rest, self->leg) <= 1.0)) {
         self->at++;
@@ -421,7 +421,7 @@ static nck_status_t make_motion(nck_stream_t *self) {
 static nck_status_t next_window(nck_stream_t *self) {
     if (self->clock.ends && !self->halts) return go(self, NCK_STREAM_OVER);
     const double s = self->clock.s[4 * self->commit];
-    memcpy(self->joint, &self->point[self->commit], sizeof self->joint);
+    memcpy(self->seam, &self->point[self->commit], sizeof self->seam);
     set_knots(self, self->commit, self->knot_s);
     if (self->halts) nck_timing_rest(&self->clock, &self->work.list, s);
     else turn(self, self->commit);

@@ -51,7 +51,7 @@ typedef struct nck_stream_told {
     uint32_t again;       // windows that missed P at first
     uint32_t slowed;      // clocks that were too fast for any curve
     uint32_t rests;       // that were left out for a rest: none of theirs was within P
-    uint32_t restless;    // that had no joint with a rest within P behind it
+    uint32_t restless;    // that had no seam with a rest within P behind it
     uint32_t missed;      // that were given although their proof failed
     double most;          // |r − p|/P that is proven, at most
     uint32_t places;      // of the guess
@@ -75,8 +75,8 @@ typedef struct nck_stream {
     nck_track_t track;
     nck_timing_t clock;
     uint8_t halts;       // 1: what is given comes to rest
-    double knot_s[3];    // of the program at the joint and the two knots behind it [path mm]
-    double joint[3][NCK_AXIS_MAX];                // control points given last
+    double knot_s[3];    // of the program at the seam and the two knots behind it [path mm]
+    double seam[3][NCK_AXIS_MAX];                 // control points given last
     double point[NCK_FAIR_POINTS][NCK_AXIS_MAX];  // of the window
     nck_num b[NCK_FAIR_KNOTS + 1];                // of the clock's plan
     int planned;         // 1: it is that of the curve in work

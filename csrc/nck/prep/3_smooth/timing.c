@@ -312,7 +312,7 @@ void nck_timing_keep(nck_timing_t *self, nck_timing_list_t *list, const nck_trac
     for (int k = 4 * from; k <= 4 * to && to > from; k++) {
         if (list->count > 0 && !(self->s[k] > list->at[list->count - 1].s + 1e-9)) continue;
         const nck_num share = share_at(k, from, span[2]);
-        // At a joint no row stands at the first node: its b is of no use.
+        // At a seam no row stands at the first node: its b is of no use.
         const nck_num pace = pace_at(b, self->begins || k > 4 ? k : 4);
         nck_place_t *const place = &list->at[list->count];
         place->s = self->s[k];

@@ -46,7 +46,7 @@
 // Where a period gains as much speed as short lines have room for, a crowd of corners would have to
 // be passed at next to none: less acceleration on the lines lets it be passed at more. What the
 // filter adds to a speed is not worth less, nor without one a share of what a period gains.
-static void tame(nck_joint_t *in, nck_joint_t *out, const nck_terms_t *terms) {
+static void tame(nck_junction_t *in, nck_junction_t *out, const nck_terms_t *terms) {
     const double period = terms->machine->period_s;
     const int is_sharp = in->load * nck_max(in->a_most, out->a_most) >= TAME_LOAD;
     if (!NCK_HAS_POLYGONS && !(NCK_HAS_JERK && terms->limits_jerk)) return;
@@ -73,9 +73,9 @@ static double load_of(const double *tangent_in, const double *tangent_out,
 
 // Two motions that overlap at a stop: what either keeps to of its jerk, and how near to it. The
 // other one is at rest when it has κ·j·t³/6 to go, where t is how long both overlap.
-static void overlap(nck_joint_t *in, const nck_joint_t *out, const double *tangent_in,
+static void overlap(nck_junction_t *in, const nck_junction_t *out, const double *tangent_in,
                     const double *tangent_out, const nck_terms_t *terms) {
-    nck_joint_overlap_t *const overlap = &in->overlap;
+    nck_junction_overlap_t *const overlap = &in->overlap;
     const nck_overlap_t motions = {tangent_in, tangent_out,
                                    {in->j_straight, out->j_straight},
                                    {nck_overlap_turn(in->kind), nck_overlap_turn(out->kind)}};
@@ -91,26 +91,26 @@ static void overlap(nck_joint_t *in, const nck_joint_t *out, const double *tange
     }
 }
 
-// The path rests at the end of a joint; lands: the tick does, too.
-static void rest(nck_joint_t *joint, int lands) {
-    for (int k = 0; k < NCK_PACES; k++) joint->pace[k].v_corner = 0.0;
-    if (lands) joint->end |= NCK_JOINT_STOP;
+// The path rests at the end of a junction; lands: the tick does, too.
+static void rest(nck_junction_t *junction, int lands) {
+    for (int k = 0; k < NCK_PACES; k++) junction->pace[k].v_corner = 0.0;
+    if (lands) junction->end |= NCK_JUNCTION_STOP;
 }
 
 // Whether a junction, crossed moving, would break the jerk that one of its sides keeps. Within a
 // tolerance the path is smooth or at rest; else it must go straight on. turns: it does not.
-static int breaks_jerk(const nck_joint_t *in, const nck_joint_t *out, int turns) {
+static int breaks_jerk(const nck_junction_t *in, const nck_junction_t *out, int turns) {
     const int either = in->end | out->end;
-    const int is_within = (in->end & out->end & NCK_JOINT_SMOOTH) != 0;
+    const int is_within = (in->end & out->end & NCK_JUNCTION_SMOOTH) != 0;
     const int is_straight = in->kind == NCK_SEG_LINE && out->kind == NCK_SEG_LINE && !turns;
-    return (either & (NCK_JOINT_TURNS | NCK_JOINT_SMOOTH)) && !is_within && !is_straight;
+    return (either & (NCK_JUNCTION_TURNS | NCK_JUNCTION_SMOOTH)) && !is_within && !is_straight;
 }
 
-void nck_corner_meet(nck_joint_t *in, nck_joint_t *out, const double *tangent_in,
+void nck_corner_meet(nck_junction_t *in, nck_junction_t *out, const double *tangent_in,
                      const double *tangent_out, const nck_terms_t *terms) {
-    if (out->kind >= NCK_SEG_DWELL) in->end |= NCK_JOINT_STOP;
+    if (out->kind >= NCK_SEG_DWELL) in->end |= NCK_JUNCTION_STOP;
     if (in->overlap.distance > 0.0f) overlap(in, out, tangent_in, tangent_out, terms);
-    if ((in->end & NCK_JOINT_STOP) || in->kind >= NCK_SEG_DWELL) return;
+    if ((in->end & NCK_JUNCTION_STOP) || in->kind >= NCK_SEG_DWELL) return;
     const double load = load_of(tangent_in, tangent_out, terms);
     const double v = nck_min(in->v_free, out->v_free);
     const int turns = load * v > SHARE_OF_ROUNDING * terms->machine->period_s;
@@ -128,50 +128,50 @@ void nck_corner_meet(nck_joint_t *in, nck_joint_t *out, const double *tangent_in
 }
 
 // A junction that is decided, between two known segs.
-typedef struct junction {
-    uint32_t count;         // at the end of this joint, …
-    nck_joint_t *in;        // … which is this one …
-    const nck_joint_t *out; // … and the next one
-    double shorter;         // of both [path mm]
-    double even;            // of an even polygon: what the line before gains; else 0
-    double beta;            // share that it may take
-    double period;          // [s]
-} junction_t;
+typedef struct crossing {
+    uint32_t count;            // at the end of this junction, …
+    nck_junction_t *in;        // … which is this one …
+    const nck_junction_t *out; // … and the next one
+    double shorter;            // of both [path mm]
+    double even;               // of an even polygon: what the line before gains; else 0
+    double beta;               // share that it may take
+    double period;             // [s]
+} crossing_t;
 
 // A·T, where A is the largest acceleration on the segs that can share a period with the junction
 // when it is crossed at v. begin: a walk that stands at the junction.
-static nck_status_t largest_gain(nck_lookahead_t *self, const junction_t *junction,
+static nck_status_t largest_gain(nck_lookahead_t *self, const crossing_t *crossing,
                                  const nck_walk_t *begin, double reach, double *a_t_out) {
-    const nck_joint_t *neighbour = junction->out;
-    double a = nck_joint_most(junction->in);
+    const nck_junction_t *neighbour = crossing->out;
+    double a = nck_junction_most(crossing->in);
     double x = 0.0;
     nck_status_t status = NCK_OK;
     nck_walk_t walk = *begin;
     while (status == NCK_OK) {
-        a = nck_max(a, nck_joint_most(neighbour)); // the first time, of the seg behind
+        a = nck_max(a, nck_junction_most(neighbour)); // the first time, of the seg behind
         status = nck_walk_next(self, &walk, reach, &neighbour, &x);
     }
-    *a_t_out = a * junction->period;
+    *a_t_out = a * crossing->period;
     return status == NCK_DONE ? NCK_OK : status;
 }
 
 // The slope's filter crosses the junction up to v_filter faster than v. A junction that even this
 // is too fast for is stopped at.
-static void settle(const nck_lookahead_t *self, const junction_t *junction, int pace, double v,
+static void settle(const nck_lookahead_t *self, const crossing_t *crossing, int pace, double v,
                    double share) {
-    const double most = self->terms->limits_jerk ? NCK_CORNER_SHARE_LONE : junction->beta;
-    nck_joint_t *const joint = junction->in;
-    nck_pace_t *const at = &joint->pace[pace];
+    const double most = self->terms->limits_jerk ? NCK_CORNER_SHARE_LONE : crossing->beta;
+    nck_junction_t *const junction = crossing->in;
+    nck_pace_t *const at = &junction->pace[pace];
     at->v_corner = v;
     at->share = nck_min(most, nck_max(0.0, share));
-    if (share > most && v < self->terms->v_filter) joint->end |= NCK_JOINT_STOP;
+    if (share > most && v < self->terms->v_filter) junction->end |= NCK_JUNCTION_STOP;
 }
 
-static inline void settle_alone(nck_lookahead_t *self, const junction_t *junction, int pace,
+static inline void settle_alone(nck_lookahead_t *self, const crossing_t *crossing, int pace,
                                 double v) {
     const double v_true = nck_max(v, self->terms->v_filter);
-    settle(self, junction, pace, v,
-           nck_corner_share_alone(v_true, junction->in->load, junction->period));
+    settle(self, crossing, pace, v,
+           nck_corner_share_alone(v_true, crossing->in->load, crossing->period));
 }
 
 // Lines in sight, if all are as long.
@@ -185,8 +185,8 @@ static inline double lines_seen(const nck_lookahead_t *self) {
 // d a ≤ BLUNT_LOAD, a l ≤ EVEN_GAIN v², and n such lines, as many as the window has, can brake from
 // there with the rest, a/5: 0.4 a l n ≥ (0.8 v)². No zone is longer than NCK_CORNER_SPAN such
 // lines: nck_zone_shares_after comes as far as a junction.
-static inline double even_gain(const nck_lookahead_t *self, const nck_joint_t *in,
-                               const nck_joint_t *out, double period) {
+static inline double even_gain(const nck_lookahead_t *self, const nck_junction_t *in,
+                               const nck_junction_t *out, double period) {
     const nck_pace_t *const pace = &in->pace[NCK_PACE_OVER];
     if (!(in->load * in->a_most <= BLUNT_LOAD)) return 0.0;
     if (in->kind != NCK_SEG_LINE || out->kind != NCK_SEG_LINE) return 0.0;
@@ -200,13 +200,13 @@ static inline double even_gain(const nck_lookahead_t *self, const nck_joint_t *i
 
 // The junction is decided: how far the row of even ones is on its way to EVEN_LONGER. It does not
 // come to EVEN_LONG before it takes longer than a zone does.
-static inline void count_even(nck_lookahead_t *self, const junction_t *junction) {
+static inline void count_even(nck_lookahead_t *self, const crossing_t *crossing) {
     if (!NCK_HAS_POLYGONS) return;
     const double most = EVEN_LONG / NCK_ZONE_MARGIN / self->zone_s;
-    const double time = junction->in->pace[NCK_PACE_OVER].time;
-    if (!(junction->even > 0.0)) self->even = 0.0f;
+    const double time = crossing->in->pace[NCK_PACE_OVER].time;
+    if (!(crossing->even > 0.0)) self->even = 0.0f;
     else if (!(self->even >= (float)EVEN_LONGER)) {
-        self->even += (float)nck_min(junction->even, most * time);
+        self->even += (float)nck_min(crossing->even, most * time);
     }
 }
 
@@ -220,106 +220,106 @@ static inline double share_most_linear(const nck_lookahead_t *self, double even)
 
 // The same under a jerk limit: the speed is least where the acceleration is small, so that most of
 // it can go to the junction, more of it if the junction is alone.
-static double share_most_jerk(const nck_lookahead_t *self, const nck_joint_t *in,
-                              const nck_joint_t *out) {
+static double share_most_jerk(const nck_lookahead_t *self, const nck_junction_t *in,
+                              const nck_junction_t *out) {
     if (!nck_zone_is_alone(in, out, in->load, self->terms)) return NCK_CORNER_SHARE_DENSE;
     return nck_corner_share_lone(nck_max(in->j_straight, out->j_straight),
                                  nck_min(in->a_most, out->a_most), self->zone_s);
 }
 
 // What share a junction may take, and whether it is of an even polygon.
-static inline void set_share(const nck_lookahead_t *self, junction_t *junction) {
-    const nck_joint_t *const in = junction->in;
-    const nck_joint_t *const out = junction->out;
+static inline void set_share(const nck_lookahead_t *self, crossing_t *crossing) {
+    const nck_junction_t *const in = crossing->in;
+    const nck_junction_t *const out = crossing->out;
     if (self->terms->limits_jerk) {
-        junction->beta = share_most_jerk(self, in, out);
+        crossing->beta = share_most_jerk(self, in, out);
         return;
     }
-    if (NCK_HAS_POLYGONS) junction->even = even_gain(self, in, out, junction->period);
-    junction->beta = share_most_linear(self, junction->even);
+    if (NCK_HAS_POLYGONS) crossing->even = even_gain(self, in, out, crossing->period);
+    crossing->beta = share_most_linear(self, crossing->even);
 }
 
 // Speed and share of a junction that shares a period with others; alone it is crossed at v.
-static nck_status_t decide_crowd(nck_lookahead_t *self, const junction_t *junction,
+static nck_status_t decide_crowd(nck_lookahead_t *self, const crossing_t *crossing,
                                  const nck_walk_t *begin, int pace, double v, double a_t) {
-    const double period = junction->period;
-    const double d = junction->in->load;
+    const double period = crossing->period;
+    const double d = crossing->in->load;
     double others_d = 0.0;
     double others_dx = 0.0;
     nck_status_t status = NCK_OK;
     nck_walk_t walk = *begin;
     for (;;) {
-        const nck_joint_t *neighbour = junction->in;
+        const nck_junction_t *neighbour = crossing->in;
         double x = 0.0;
         status = nck_walk_next(self, &walk, (v + a_t) * period, &neighbour, &x);
         if (status != NCK_OK) break;
         others_d += neighbour->load;
         others_dx += neighbour->load * x;
-        const double v_crowd = nck_corner_speed(junction->beta, d + others_d, others_d, others_dx,
+        const double v_crowd = nck_corner_speed(crossing->beta, d + others_d, others_d, others_dx,
                                                 a_t, period);
         v = nck_min(v, v_crowd);
     }
     if (status != NCK_DONE) return status;
     v = nck_max(0.0, nck_min(v, walk.cut / period - a_t));
     const double v_true = nck_max(v, self->terms->v_filter);
-    settle(self, junction, pace, v,
+    settle(self, crossing, pace, v,
            nck_corner_share(v_true, d + others_d, others_d, others_dx, a_t, period));
     return NCK_OK;
 }
 
 // Whether a neighbour that hangs on a seg still to come may be nearer than reach: then no walk so
 // far comes to an end, and none is begun.
-static int is_open(const nck_lookahead_t *self, const junction_t *junction, double reach) {
-    const int is_last = junction->count + 2 == self->joint.head;
-    return is_last && !self->ended && junction->out->length < reach;
+static int is_open(const nck_lookahead_t *self, const crossing_t *crossing, double reach) {
+    const int is_last = crossing->count + 2 == self->junction.head;
+    return is_last && !self->ended && crossing->out->length < reach;
 }
 
 // Speed and share at a pace of a junction that may share a period with others.
-static nck_status_t decide_near(nck_lookahead_t *self, const junction_t *junction, int pace,
+static nck_status_t decide_near(nck_lookahead_t *self, const crossing_t *crossing, int pace,
                                 double v, double reach) {
     double a_t = 0.0;
     nck_walk_t walk;
-    nck_walk_begin(self, &walk, junction->count);
-    const nck_status_t status = largest_gain(self, junction, &walk, reach, &a_t);
-    return status == NCK_OK ? decide_crowd(self, junction, &walk, pace, v, a_t) : status;
+    nck_walk_begin(self, &walk, crossing->count);
+    const nck_status_t status = largest_gain(self, crossing, &walk, reach, &a_t);
+    return status == NCK_OK ? decide_crowd(self, crossing, &walk, pace, v, a_t) : status;
 }
 
 // Speed and share at a pace of a junction with a load that is crossed alone at v.
-static inline nck_status_t decide_pace(nck_lookahead_t *self, const junction_t *junction, int pace,
+static inline nck_status_t decide_pace(nck_lookahead_t *self, const crossing_t *crossing, int pace,
                                        double v) {
-    const double period = junction->period;
+    const double period = crossing->period;
     const double reach = (v + self->a_any * period) * period;
-    if (!(junction->shorter < reach)) {
-        settle_alone(self, junction, pace, v);
+    if (!(crossing->shorter < reach)) {
+        settle_alone(self, crossing, pace, v);
         return NCK_OK;
     }
-    if (is_open(self, junction, reach)) return NCK_EMPTY;
-    return decide_near(self, junction, pace, v, reach);
+    if (is_open(self, crossing, reach)) return NCK_EMPTY;
+    return decide_near(self, crossing, pace, v, reach);
 }
 
 // A junction between two known segs, at both paces, which mean the same where only the junction
 // limits the speed. The faster one reaches further: it tells first whether enough is known. A stop
 // takes no share.
-static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count, nck_joint_t *joint) {
-    const nck_joint_t *const out = nck_joint_at(self, count + 1);
+static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count, nck_junction_t *junction) {
+    const nck_junction_t *const out = nck_junction_at(self, count + 1);
     const double period = self->terms->machine->period_s;
-    junction_t junction = {count, joint, out, nck_min(joint->length, out->length), 0.0, 0.0,
+    crossing_t crossing = {count, junction, out, nck_min(junction->length, out->length), 0.0, 0.0,
                            period};
-    set_share(self, &junction);
-    const double most = nck_corner_speed_alone(junction.beta, joint->load, period);
-    nck_pace_t *const pace = joint->pace;
+    set_share(self, &crossing);
+    const double most = nck_corner_speed_alone(crossing.beta, junction->load, period);
+    nck_pace_t *const pace = junction->pace;
     double v[NCK_PACES];
     for (int k = 0; k < NCK_PACES; k++) v[k] = nck_min(most, nck_min(pace[k].v, out->pace[k].v));
-    nck_status_t status = decide_pace(self, &junction, NCK_PACE_OVER, v[NCK_PACE_OVER]);
+    nck_status_t status = decide_pace(self, &crossing, NCK_PACE_OVER, v[NCK_PACE_OVER]);
     if (status == NCK_OK && v[NCK_PACE_FEED] == v[NCK_PACE_OVER]) {
         pace[NCK_PACE_FEED].v_corner = pace[NCK_PACE_OVER].v_corner;
         pace[NCK_PACE_FEED].share = pace[NCK_PACE_OVER].share;
     } else if (status == NCK_OK) {
-        status = decide_pace(self, &junction, NCK_PACE_FEED, v[NCK_PACE_FEED]);
+        status = decide_pace(self, &crossing, NCK_PACE_FEED, v[NCK_PACE_FEED]);
     }
     if (status != NCK_OK) return status;
-    if (!self->terms->limits_jerk) count_even(self, &junction);
-    for (int k = 0; k < NCK_PACES && (joint->end & NCK_JOINT_STOP); k++) {
+    if (!self->terms->limits_jerk) count_even(self, &crossing);
+    for (int k = 0; k < NCK_PACES && (junction->end & NCK_JUNCTION_STOP); k++) {
         pace[k].v_corner = 0.0;
         pace[k].share = 0.0;
     }
@@ -327,16 +327,16 @@ static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count, nck_joi
 }
 
 nck_status_t nck_corner_decide(nck_lookahead_t *self) {
-    const uint32_t count = self->joint.decided;
-    nck_joint_t *const joint = nck_joint_at(self, count);
-    if (count + 1 == self->joint.head) joint->end |= NCK_JOINT_STOP;
-    if (joint->load > 0.0) {
-        const nck_status_t status = decide_corner(self, count, joint);
-        if (status == NCK_EMPTY) self->joint.known = self->joint.head;
+    const uint32_t count = self->junction.decided;
+    nck_junction_t *const junction = nck_junction_at(self, count);
+    if (count + 1 == self->junction.head) junction->end |= NCK_JUNCTION_STOP;
+    if (junction->load > 0.0) {
+        const nck_status_t status = decide_corner(self, count, junction);
+        if (status == NCK_EMPTY) self->junction.known = self->junction.head;
         if (status != NCK_OK) return status;
-    } else if (joint->end & NCK_JOINT_STOP) {
+    } else if (junction->end & NCK_JUNCTION_STOP) {
         self->even = 0.0f;
     }
-    self->joint.decided++;
+    self->junction.decided++;
     return NCK_OK;
 }

@@ -3,21 +3,21 @@
 #ifndef NCK_PREP_CORNER_H
 #define NCK_PREP_CORNER_H
 
-#include "nck/prep/4_lookahead/joint.h" // nck_lookahead_t nck_joint_t nck_joint_at
+#include "nck/prep/4_lookahead/junction.h" // nck_lookahead_t nck_junction_t nck_junction_at
 
 // Settle what the junction between two segs costs, once the second one is known; short lines may
 // lose acceleration. The tangents are those at the junction. Cost: constant.
-void nck_corner_meet(nck_joint_t *in, nck_joint_t *out, const double *tangent_in,
+void nck_corner_meet(nck_junction_t *in, nck_junction_t *out, const double *tangent_in,
                      const double *tangent_out, const nck_terms_t *terms);
 
 // Whether what the next junction hangs on is known, as far as it can be told without a look around:
 // it needs both its segs; a rest, and the path's end, have one. Cost: constant.
 static inline int nck_corner_may_decide(nck_lookahead_t *self) {
-    const uint32_t known = self->joint.settled - self->joint.decided;
-    if (self->joint.known == self->joint.head && !self->ended) return 0;
+    const uint32_t known = self->junction.settled - self->junction.decided;
+    if (self->junction.known == self->junction.head && !self->ended) return 0;
     if (known != 1) return known > 1;
-    if (self->joint.settled != self->joint.head) return 0;
-    return self->ended || nck_joint_at(self, self->joint.decided)->kind >= NCK_SEG_DWELL;
+    if (self->junction.settled != self->junction.head) return 0;
+    return self->ended || nck_junction_at(self, self->junction.decided)->kind >= NCK_SEG_DWELL;
 }
 
 // Decide the next junction's speed and share at both paces, as nck_corner_may_decide allows.

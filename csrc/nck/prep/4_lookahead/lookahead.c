@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Room 4, lookahead: joints become nodes, nodes get their envelope.
+// Room 4, lookahead: junctions become nodes, nodes get their envelope.
 #include "nck/prep/4_lookahead/lookahead.h"
 
 #include <assert.h> // assert
 #include <stddef.h> // offsetof
 #include <string.h> // memcpy memset
 
-#include "nck/base/budget.h"             // NCK_UNLIMITED
-#include "nck/prep/4_lookahead/corner.h" // nck_corner_…
-#include "nck/prep/4_lookahead/joint.h"  // nck_joint_…
-#include "nck/prep/4_lookahead/near.h"   // nck_near_…
-#include "nck/prep/4_lookahead/piece.h"  // nck_piece_place
-#include "nck/prep/4_lookahead/zone.h"   // nck_zone_…
+#include "nck/base/budget.h"               // NCK_UNLIMITED
+#include "nck/prep/4_lookahead/corner.h"   // nck_corner_…
+#include "nck/prep/4_lookahead/junction.h" // nck_junction_…
+#include "nck/prep/4_lookahead/near.h"     // nck_near_…
+#include "nck/prep/4_lookahead/piece.h"    // nck_piece_place
+#include "nck/prep/4_lookahead/zone.h"     // nck_zone_…
 
 enum {
     PLACES_PER_STEP = 2 // segs: mostly one, and the next one is seen to be too early
@@ -19,7 +19,7 @@ enum {
 
 void nck_lookahead_init(nck_lookahead_t *self, const nck_terms_t *terms) {
     const size_t before = offsetof(nck_lookahead_t, before);
-    memset(self, 0, offsetof(nck_lookahead_t, joint.at)); // what rings hold is read once written
+    memset(self, 0, offsetof(nck_lookahead_t, junction.at)); // what rings hold is read once written
     memset(&self->before, 0, offsetof(nck_lookahead_t, window.at) - before);
     self->terms = terms;
     nck_lookahead_adapt(self);
@@ -27,19 +27,19 @@ void nck_lookahead_init(nck_lookahead_t *self, const nck_terms_t *terms) {
 }
 
 void nck_lookahead_adapt(nck_lookahead_t *self) {
-    self->a_any = nck_joint_a_any(self->terms->machine);
+    self->a_any = nck_junction_a_any(self->terms->machine);
     self->zone_s = nck_zone_s(self->terms);
 }
 
-// Part the newest joint, a spline's, which is not in the chain yet.
+// Part the newest junction, a spline's, which is not in the chain yet.
 static void push_parts(nck_lookahead_t *self, const nck_seg_t *seg, int count) {
-    const double *const tangent = self->joint.tangent;
+    const double *const tangent = self->junction.tangent;
     double span[2] = {0.0, 0.0};
     for (int k = 0; k < count; k++) {
         span[1] = k + 1 < count ? seg->length * (double)(k + 1) / (double)count : seg->length;
-        nck_joint_make(nck_joint_at(self, self->joint.head), seg, span, tangent, tangent,
-                       self->terms);
-        self->joint.head++;
+        nck_junction_make(nck_junction_at(self, self->junction.head), seg, span, tangent, tangent,
+                          self->terms);
+        self->junction.head++;
         nck_near_level_newest(self);
         span[0] = span[1];
     }
@@ -48,24 +48,24 @@ static void push_parts(nck_lookahead_t *self, const nck_seg_t *seg, int count) {
 nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg) {
     if (!nck_lookahead_has_room(self)) return NCK_FULL;
     self->ended = 0;
-    nck_joint_t *const joint = nck_joint_at(self, self->joint.head);
-    double *const tangent = self->joint.tangent;
+    nck_junction_t *const junction = nck_junction_at(self, self->junction.head);
+    double *const tangent = self->junction.tangent;
     const int axes = self->terms->axes;
     const double whole[2] = {0.0, seg->length};
     double end[NCK_AXIS_MAX] = {0};
     double bent[NCK_AXIS_MAX];
-    const double *const start = nck_joint_tangents(seg, axes, bent, end);
-    nck_joint_make(joint, seg, whole, start, end, self->terms);
-    nck_joint_t *const before = nck_joint_at(self, self->joint.head - 1);
-    if (self->joint.head > 0) nck_corner_meet(before, joint, tangent, start, self->terms);
+    const double *const start = nck_junction_tangents(seg, axes, bent, end);
+    nck_junction_make(junction, seg, whole, start, end, self->terms);
+    nck_junction_t *const before = nck_junction_at(self, self->junction.head - 1);
+    if (self->junction.head > 0) nck_corner_meet(before, junction, tangent, start, self->terms);
     memcpy(tangent, end, sizeof end);
-    const int is_spline = NCK_HAS_SMOOTH && joint->kind == NCK_SEG_SPLINE;
-    const int parts = is_spline ? nck_joint_parts(joint, self->terms) : 1;
+    const int is_spline = NCK_HAS_SMOOTH && junction->kind == NCK_SEG_SPLINE;
+    const int parts = is_spline ? nck_junction_parts(junction, self->terms) : 1;
     if (parts > 1) {
         push_parts(self, seg, parts);
     } else {
-        self->joint.head++;
-        nck_near_level(self, before, joint);
+        self->junction.head++;
+        nck_near_level(self, before, junction);
     }
     return NCK_OK;
 }
@@ -87,28 +87,29 @@ nck_status_t nck_lookahead_take(nck_lookahead_t *self, const nck_node_t *piece) 
 void nck_lookahead_hurry(nck_lookahead_t *self) { nck_near_hurry(self); }
 
 int nck_lookahead_is_settled(const nck_lookahead_t *self) {
-    return self->joint.placed == self->joint.head && (self->ended || self->joint.head == 0);
+    const uint32_t head = self->junction.head;
+    return self->junction.placed == head && (self->ended || head == 0);
 }
 
 // The next seg cannot be placed yet, as is seen without a walk: what comes behind the last junction
 // that is decided reaches into it. known: of the walk behind the seg before (nck_zone_reach_t).
 static inline int is_early(nck_lookahead_t *self, double known) {
-    const uint32_t count = self->joint.placed;
+    const uint32_t count = self->junction.placed;
     const uint32_t next = count + 1;
-    if (count == self->joint.decided) return 1;
-    const nck_joint_t *const joint = nck_joint_at(self, count);
-    const double left = known - joint->pace[NCK_PACE_OVER].time;
-    if (left * NCK_ZONE_MARGIN < self->zone_s && joint->kind < NCK_SEG_DWELL) return 1;
-    if (next != self->joint.decided || next == self->joint.head) return 0;
-    return nck_joint_at(self, next)->pace[NCK_PACE_OVER].time < self->zone_s
-           && !nck_zone_parts(joint, self->zone_s);
+    if (count == self->junction.decided) return 1;
+    const nck_junction_t *const junction = nck_junction_at(self, count);
+    const double left = known - junction->pace[NCK_PACE_OVER].time;
+    if (left * NCK_ZONE_MARGIN < self->zone_s && junction->kind < NCK_SEG_DWELL) return 1;
+    if (next != self->junction.decided || next == self->junction.head) return 0;
+    return nck_junction_at(self, next)->pace[NCK_PACE_OVER].time < self->zone_s
+           && !nck_zone_parts(junction, self->zone_s);
 }
 
 // Place the next seg. Returns 1 if it is placed; known_io: as in is_early, and for the next one.
 static inline int place_one(nck_lookahead_t *self, double *known_io) {
     nck_zone_reach_t after;
     if (is_early(self, *known_io)) return 0;
-    if (nck_zone_shares_after(self, self->joint.placed, &after) != NCK_OK) return 0;
+    if (nck_zone_shares_after(self, self->junction.placed, &after) != NCK_OK) return 0;
     *known_io = after.known;
     const double share[NCK_PACES] = {after.share[NCK_PACE_FEED], after.share[NCK_PACE_OVER]};
     return nck_piece_place(self, share) == NCK_OK;
@@ -116,14 +117,14 @@ static inline int place_one(nck_lookahead_t *self, double *known_io) {
 
 // Place the next segs, unless it was tried in vain and nothing has become known since.
 static int place(nck_lookahead_t *self) {
-    const uint32_t known = self->joint.settled + self->joint.decided;
+    const uint32_t known = self->junction.settled + self->junction.decided;
     double known_s = NCK_UNLIMITED;
     int placed = 0;
-    if (self->joint.tried == known && !self->ended) return 0;
+    if (self->junction.tried == known && !self->ended) return 0;
     while (placed < PLACES_PER_STEP && !nck_lookahead_is_full(self) && place_one(self, &known_s)) {
         placed++;
     }
-    if (!nck_lookahead_is_full(self) && placed < PLACES_PER_STEP) self->joint.tried = known;
+    if (!nck_lookahead_is_full(self) && placed < PLACES_PER_STEP) self->junction.tried = known;
     return placed > 0;
 }
 
@@ -134,7 +135,7 @@ nck_status_t nck_lookahead_step(nck_lookahead_t *self) {
     if (settles) nck_near_settle(self);
     const int is_decided = nck_corner_may_decide(self) && nck_corner_decide(self) == NCK_OK;
     if (place(self) || is_decided || settles) return NCK_OK;
-    return self->ended && self->joint.placed == self->joint.head ? NCK_DONE : NCK_EMPTY;
+    return self->ended && self->junction.placed == self->junction.head ? NCK_DONE : NCK_EMPTY;
 }
 
 const nck_node_t *nck_lookahead_ahead(const nck_lookahead_t *self, uint32_t i) {
@@ -143,9 +144,10 @@ const nck_node_t *nck_lookahead_ahead(const nck_lookahead_t *self, uint32_t i) {
 }
 
 uint32_t nck_lookahead_oldest(const nck_lookahead_t *self, uint32_t newer) {
-    const uint32_t placed = self->joint.placed;
+    const uint32_t placed = self->junction.placed;
     if (self->window.fill > 0) return nck_lookahead_ahead(self, 0)->seg;
-    return placed == self->joint.head ? newer : self->joint.at[placed & (NCK_JOINT_MAX - 1)].seq;
+    if (placed == self->junction.head) return newer;
+    return self->junction.at[placed & (NCK_JUNCTION_MAX - 1)].seq;
 }
 
 uint32_t nck_lookahead_fill(const nck_lookahead_t *self) { return self->window.fill; }
@@ -158,11 +160,11 @@ void nck_lookahead_drop(nck_lookahead_t *self, uint32_t n) {
 }
 
 int nck_lookahead_invariants(const nck_lookahead_t *self) {
-    const uint32_t fill = self->window.fill;
+    const uint32_t fill = self->window.fill, head = self->junction.head;
     int good = fill <= NCK_WINDOW && self->window.barrier <= fill
-               && self->joint.head - self->joint.decided <= self->joint.head - self->joint.placed
-               && self->joint.head - self->joint.settled <= self->joint.head - self->joint.decided
-               && self->joint.head - self->joint.placed <= NCK_JOINT_MAX - NCK_CORNER_SPAN;
+               && head - self->junction.decided <= head - self->junction.placed
+               && head - self->junction.settled <= head - self->junction.decided
+               && head - self->junction.placed <= NCK_JUNCTION_MAX - NCK_CORNER_SPAN;
     for (uint32_t i = 0; good && i < fill; i++) {
         const nck_node_t *const node = nck_lookahead_ahead(self, i);
         const nck_node_t *const next = nck_lookahead_ahead(self, i + 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Room 4, lookahead: seg → node. Places the nodes and finds every cap.
 //
-//   push ─▶ joints (caps of segs and junctions) ─▶ window of nodes ─▶ pieces
+//   push ─▶ junctions (caps of segs and junctions) ─▶ window of nodes ─▶ pieces
 #ifndef NCK_PREP_LOOKAHEAD_H
 #define NCK_PREP_LOOKAHEAD_H
 
@@ -10,12 +10,12 @@
 #include "nck/base/status.h"  // nck_status_t
 #include "nck/base/terms.h"   // nck_terms_t
 
-// Pieces and joints of one seg, and joints that are kept.
+// Pieces and junctions of one seg, and junctions that are kept.
 enum {
     NCK_PIECES_PER_SEG = 3, // head, middle, tail
-    NCK_JOINT_MAX = 4 * NCK_CORNER_SPAN,
-    NCK_SPLINE_PARTS = NCK_SPLINE_ROWS, // joints of a spline at most
-    NCK_JOINT_ROOM = NCK_JOINT_MAX - NCK_CORNER_SPAN - NCK_SPLINE_PARTS // and one seg more goes in
+    NCK_JUNCTION_MAX = 4 * NCK_CORNER_SPAN,
+    NCK_SPLINE_PARTS = NCK_SPLINE_ROWS, // junctions of a spline at most
+    NCK_JUNCTION_ROOM = NCK_JUNCTION_MAX - NCK_CORNER_SPAN - NCK_SPLINE_PARTS // for one more seg
 };
 
 // Splines on either side that a seg's limits hang on at most.
@@ -35,59 +35,61 @@ typedef struct nck_pace {
     double share;         // β that the junction at the end may use
 } nck_pace_t;
 
-// What is at a joint's end, bit by bit.
-typedef enum nck_joint_end {
-    NCK_JOINT_STOP = 1,  // the path rests there
-    NCK_JOINT_LAST = 2,  // its seg ends there
-    NCK_JOINT_TURNS = 4, // its seg keeps NCK_KEEP_TURNS
-    NCK_JOINT_SMOOTH = 8, // its seg keeps NCK_KEEP_SMOOTH
-    NCK_JOINT_RESTS = 16 // of NCK_JOINT_CLOCKED: the path rests there
-} nck_joint_end_t;
+// What is at a junction's end, bit by bit.
+typedef enum nck_junction_end {
+    NCK_JUNCTION_STOP = 1,  // the path rests there
+    NCK_JUNCTION_LAST = 2,  // its seg ends there
+    NCK_JUNCTION_TURNS = 4, // its seg keeps NCK_KEEP_TURNS
+    NCK_JUNCTION_SMOOTH = 8, // its seg keeps NCK_KEEP_SMOOTH
+    NCK_JUNCTION_RESTS = 16 // of NCK_JUNCTION_CLOCKED: the path rests there
+} nck_junction_end_t;
 
-// The kind of a joint that is an interval of a clocked path: where its limits are kept is room 5's
-// alone, so for its neighbours here it is a rest.
-enum { NCK_JOINT_CLOCKED = NCK_SEG_TAP + 1 };
+// The kind of a junction that is an interval of a clocked path: where its limits are kept is room
+// 5's alone, so for its neighbours here it is a rest.
+enum { NCK_JUNCTION_CLOCKED = NCK_SEG_TAP + 1 };
 
 // Where the path stops within a tolerance, and the next motion may begin before: near to the corner
 // both leave some jerk of the axes that they share for the other one.
-typedef struct nck_joint_overlap {
+typedef struct nck_junction_overlap {
     float distance;       // nck_seg_t.overlap; 0: none
     float share;          // of the jerk, that either motion keeps to
     float reach[2];       // so near to the corner: before and behind it [path mm]
-} nck_joint_overlap_t;
+} nck_junction_overlap_t;
 
 // What the axes allow a line or an arc; the rest of it: what an arc costs of its plane's two axes.
-typedef struct nck_joint_arc {
+typedef struct nck_junction_arc {
     double a_straight;    // tangential limit by the axes that are on no arc [path mm/s²]
     double a_plane;       // their smaller limit [mm/s²]
     double j_plane;       // and of jerk [mm/s³]
     double cos_lambda;    // in-plane share of the path speed
     double kappa;         // in-plane acceleration = v²·kappa [1/mm]
-} nck_joint_arc_t;
+} nck_junction_arc_t;
 
-// Where a part of a spline begins, and bounds on its derivatives, by axis.
-typedef NCK_SMOOTH_STATE nck_joint_bend {
+// Where a part of a spline begins, and bounds on its derivatives: by axis and, where the path's own
+// limits bind, along the path.
+typedef NCK_SMOOTH_STATE nck_junction_bend {
     double s;                    // in its seg [path mm]
     double first[NCK_AXIS_MAX];  // |p′|
     double second[NCK_AXIS_MAX]; // |p″| [1/mm]
     double third[NCK_AXIS_MAX];  // |p‴| [1/mm²]
-} nck_joint_bend_t;
+    float along[2];              // |p″| and |p‴| along the path
+} nck_junction_bend_t;
 
 // What only some kinds of seg have.
-typedef union nck_joint_shape {
-    nck_joint_arc_t arc;   // or line
-    nck_joint_bend_t bend; // spline
-    double dwell_s;        // dwell [s]; wait: 0
-    double clocked;        // NCK_JOINT_CLOCKED: its length [path mm]
-} nck_joint_shape_t;
+typedef union nck_junction_shape {
+    nck_junction_arc_t arc;   // or line
+    nck_junction_bend_t bend; // spline
+    double dwell_s;           // dwell [s]; wait: 0
+    double clocked;           // NCK_JUNCTION_CLOCKED: its length [path mm]
+} nck_junction_shape_t;
 
-// A seg (of a spline: a part of it) as this room sees it, and the junction at its end.
-typedef struct nck_joint {
+// A junction, and the seg (of a spline: a part of it) that ends there.
+typedef struct nck_junction {
     uint32_t seq;         // of the seg
     uint8_t kind;         // nck_seg_kind_t
     uint8_t limit;        // nck_limit_t that set v_max
     uint8_t limit_free;   // nck_limit_t that set v_free
-    uint8_t end;          // bits of nck_joint_end_t
+    uint8_t end;          // bits of nck_junction_end_t
     double length;        // [path mm]
     double feed;          // programmed speed [path mm/s]; 0: a rapid
     double tool;          // speed of the tool / path speed; 0: rotary axes move alone
@@ -99,9 +101,9 @@ typedef struct nck_joint {
     double a_most;        // largest tangential acceleration anywhere on the seg [path mm/s²]
     double load;          // d of the junction at the end [s²/mm]; 0 at a stop
     nck_pace_t pace[NCK_PACES];
-    nck_joint_overlap_t overlap; // at the end
-    nck_joint_shape_t shape; // by kind
-} nck_joint_t;
+    nck_junction_overlap_t overlap; // at the end
+    nck_junction_shape_t shape; // by kind
+} nck_junction_t;
 
 // The room's state.
 typedef struct nck_lookahead {
@@ -114,7 +116,7 @@ typedef struct nck_lookahead {
     float most_s;         // where the next seg is placed: for so long a share of more than half may
                           // still be kept free; negative: none is [s]
 
-    // joints, counted from the start; slot = count mod NCK_JOINT_MAX
+    // junctions, counted from the start; slot = count mod NCK_JUNCTION_MAX
     struct {
         uint32_t head;    // pushed
         uint32_t broken;  // up to here the caps of splines hang on no seg that is still to come
@@ -125,8 +127,8 @@ typedef struct nck_lookahead {
         uint32_t known;   // head when the next junction could not be decided for want of segs
         uint32_t tried;   // settled + decided when the next seg was to be placed in vain
         double tangent[NCK_AXIS_MAX]; // at the end of the last seg
-        nck_joint_t at[NCK_JOINT_MAX];
-    } joint;
+        nck_junction_t at[NCK_JUNCTION_MAX];
+    } junction;
 
     // the piece before the next node; caps are 0 after a stop
     struct {
@@ -155,7 +157,7 @@ int nck_lookahead_is_settled(const nck_lookahead_t *self);
 
 // 1 if nck_lookahead_push would take a seg. Cost: constant. Context: prep.
 static inline int nck_lookahead_has_room(const nck_lookahead_t *self) {
-    return self->joint.head - self->joint.placed <= NCK_JOINT_ROOM;
+    return self->junction.head - self->junction.placed <= NCK_JUNCTION_ROOM;
 }
 
 // Take a seg; behind an end it is where the path goes on from its rest. Returns NCK_OK or NCK_FULL.
@@ -178,14 +180,14 @@ void nck_lookahead_hurry(nck_lookahead_t *self);
 // with at most 2·NCK_CORNER_SPAN neighbours at both paces. Context: prep.
 nck_status_t nck_lookahead_step(nck_lookahead_t *self);
 
-// 1 if the next joint can be settled: there is one, and no cap of it will come down any more. That
-// depends on counts of segs only, unless it is hurried: a push lowers caps up to NCK_NEAR_SPAN segs
-// before it. Cost: constant. Context: prep.
+// 1 if the next junction can be settled: there is one, and no cap of it will come down any more.
+// That depends on counts of segs only, unless it is hurried: a push lowers caps up to NCK_NEAR_SPAN
+// segs before it. Cost: constant. Context: prep.
 static inline int nck_lookahead_may_settle(const nck_lookahead_t *self) {
-    const uint32_t count = self->joint.settled;
-    if (count == self->joint.head) return 0;
-    return self->joint.broken > count || self->joint.head - count > NCK_NEAR_SPAN
-           || self->joint.hurried > count || self->ended;
+    const uint32_t count = self->junction.settled;
+    if (count == self->junction.head) return 0;
+    return self->junction.broken > count || self->junction.head - count > NCK_NEAR_SPAN
+           || self->junction.hurried > count || self->ended;
 }
 
 // 1 if a step would do nothing but say NCK_FULL, till pieces are dropped. Cost: constant.
@@ -197,11 +199,11 @@ static inline int nck_lookahead_is_full(const nck_lookahead_t *self) {
 // 1 if a step, while there is room, would do nothing but say NCK_EMPTY, till another seg comes.
 // Cost: constant. Context: prep.
 static inline int nck_lookahead_is_idle(const nck_lookahead_t *self) {
-    const uint32_t settled = self->joint.settled;
-    const uint32_t decided = self->joint.decided;
+    const uint32_t settled = self->junction.settled;
+    const uint32_t decided = self->junction.decided;
     if (self->ended || nck_lookahead_may_settle(self)) return 0;
-    if (decided + 1 != settled && self->joint.known != self->joint.head) return 0;
-    return self->joint.placed == decided || self->joint.tried == settled + decided;
+    if (decided + 1 != settled && self->junction.known != self->junction.head) return 0;
+    return self->junction.placed == decided || self->junction.tried == settled + decided;
 }
 
 // The i-th piece from the window's head; NULL beyond the window. Cost: constant. Context: prep.
@@ -219,7 +221,7 @@ uint32_t nck_lookahead_fill(const nck_lookahead_t *self);
 static inline int nck_lookahead_is_complete(const nck_lookahead_t *self) {
     const uint32_t barrier = self->window.barrier;
     if (barrier > 0 && barrier == self->window.fill) return 1;
-    return self->ended && self->joint.placed == self->joint.head;
+    return self->ended && self->junction.placed == self->junction.head;
 }
 
 // Forget the first n pieces. Cost: constant. Context: prep.

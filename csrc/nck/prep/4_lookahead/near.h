@@ -3,7 +3,7 @@
 #ifndef NCK_PREP_NEAR_H
 #define NCK_PREP_NEAR_H
 
-#include "nck/prep/4_lookahead/joint.h" // nck_lookahead_t nck_joint_t nck_joint_at
+#include "nck/prep/4_lookahead/junction.h" // nck_lookahead_t nck_junction_t nck_junction_at
 
 // The least limits so near to a seg's start or end that the slope's filter mixes them with its own.
 typedef struct nck_near {
@@ -12,42 +12,43 @@ typedef struct nck_near {
     double slow; // share of the speed at which NCK_NEAR_SPAN segs reach far enough; 1: all of it
 } nck_near_t;
 
-// 1 if nothing moves out of a joint (NULL: the path's begin). Cost: constant.
-static inline int nck_near_rests(const nck_joint_t *joint) {
-    return !joint || (joint->end & NCK_JOINT_STOP) || joint->kind >= NCK_SEG_DWELL;
+// 1 if nothing moves out of a junction (NULL: the path's begin). Cost: constant.
+static inline int nck_near_rests(const nck_junction_t *junction) {
+    return !junction || (junction->end & NCK_JUNCTION_STOP) || junction->kind >= NCK_SEG_DWELL;
 }
 
-// v² at which a joint is entered at most. Cost: constant.
+// v² at which a junction is entered at most. Cost: constant.
 static inline double nck_near_entered_at(nck_lookahead_t *self, uint32_t at) {
-    const nck_joint_t *const before = at > 0 ? nck_joint_at(self, at - 1) : (nck_joint_t *)0;
+    const nck_junction_t *const before =
+        at > 0 ? nck_junction_at(self, at - 1) : (nck_junction_t *)0;
     return nck_near_rests(before) ? 0.0 : before->w_out;
 }
 
-// What a joint is left at, at most, if it is entered at w_in: w_out. Cost: constant.
-static inline void nck_near_set_out(nck_joint_t *joint, double w_in) {
-    joint->w_out = nck_min(joint->w_near, w_in + 2.0 * joint->a_most * joint->length);
+// What a junction is left at, at most, if it is entered at w_in: w_out. Cost: constant.
+static inline void nck_near_set_out(nck_junction_t *junction, double w_in) {
+    junction->w_out = nck_min(junction->w_near, w_in + 2.0 * junction->a_most * junction->length);
 }
 
-// nck_near_level where the newest joint is a spline, or a chain of them may end.
+// nck_near_level where the newest junction is a spline, or a chain of them may end.
 void nck_near_level_newest(nck_lookahead_t *self);
 
-// Level the caps of neighbouring splines, once the newest joint is known. Behind a line or an arc
-// that ends no chain nothing is levelled with another one. before: the joint before it, if there is
-// one. Cost: NCK_NEAR_SPAN neighbours at most.
-static inline void nck_near_level(nck_lookahead_t *self, const nck_joint_t *before,
-                                  nck_joint_t *joint) {
-    const uint32_t at = self->joint.head - 1;
-    const int is_bare = self->joint.broken == at && joint->kind != NCK_SEG_SPLINE
+// Level the caps of neighbouring splines, once the newest junction is known. Behind a line or an
+// arc that ends no chain nothing is levelled with another one. before: the junction before it, if
+// there is one. Cost: NCK_NEAR_SPAN neighbours at most.
+static inline void nck_near_level(nck_lookahead_t *self, const nck_junction_t *before,
+                                  nck_junction_t *junction) {
+    const uint32_t at = self->junction.head - 1;
+    const int is_bare = self->junction.broken == at && junction->kind != NCK_SEG_SPLINE
                         && before->kind != NCK_SEG_SPLINE;
     if (is_bare) {
-        self->joint.broken = at + 1;
-        nck_near_set_out(joint, at == 0 || nck_near_rests(before) ? 0.0 : before->w_out);
+        self->junction.broken = at + 1;
+        nck_near_set_out(junction, at == 0 || nck_near_rests(before) ? 0.0 : before->w_out);
     } else {
         nck_near_level_newest(self);
     }
 }
 
-// The path ends behind the newest joint: its splines come down to the rest there.
+// The path ends behind the newest junction: its splines come down to the rest there.
 // Cost: as above.
 void nck_near_end(nck_lookahead_t *self);
 
@@ -55,12 +56,12 @@ void nck_near_end(nck_lookahead_t *self);
 // levelled with it. Cost: constant.
 void nck_near_hurry(nck_lookahead_t *self);
 
-// Settle the next joint's speeds and limits, as nck_lookahead_may_settle allows. Cost: constant.
+// Settle the next junction's speeds and limits, as nck_lookahead_may_settle allows. Cost: constant.
 static inline void nck_near_settle(nck_lookahead_t *self) {
-    const uint32_t count = self->joint.settled;
+    const uint32_t count = self->junction.settled;
     const double w_in = self->terms->limits_jerk ? nck_near_entered_at(self, count) : 0.0;
-    nck_joint_settle(nck_joint_at(self, count), w_in, self->terms);
-    self->joint.settled++;
+    nck_junction_settle(nck_junction_at(self, count), w_in, self->terms);
+    self->junction.settled++;
 }
 
 // The least limits, under the share beta, near a seg's start (end), its own apart.

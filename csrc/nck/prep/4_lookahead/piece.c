@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Inside room 4: a joint becomes the nodes of its pieces, each with its caps.
+// Inside room 4: a junction becomes the nodes of its pieces, each with its caps.
 #include "nck/prep/4_lookahead/piece.h"
 
 #include <assert.h> // assert
 #include <string.h> // memset memcpy
 
-#include "nck/base/budget.h"            // NCK_UNLIMITED
-#include "nck/prep/4_lookahead/joint.h" // nck_joint_…
-#include "nck/prep/4_lookahead/near.h"  // nck_near_…
-#include "nck/prep/4_lookahead/zone.h"  // nck_zone_… NCK_ZONE…
+#include "nck/base/budget.h"               // NCK_UNLIMITED
+#include "nck/prep/4_lookahead/junction.h" // nck_junction_…
+#include "nck/prep/4_lookahead/near.h"     // nck_near_…
+#include "nck/prep/4_lookahead/zone.h"     // nck_zone_… NCK_ZONE…
 
 // A seg is cut where its junctions' share ends only if that frees more than this share of its
 // acceleration.
@@ -92,11 +92,12 @@ static inline void cap_node(nck_lookahead_t *self, nck_node_t *node, const nck_p
     node->vv_node = vv_node;
 }
 
-static inline nck_piece_limit_t limits_of(const nck_lookahead_t *self, const nck_joint_t *joint,
-                                          const around_t *around, int pace) {
+static inline nck_piece_limit_t limits_of(const nck_lookahead_t *self,
+                                          const nck_junction_t *junction, const around_t *around,
+                                          int pace) {
     const nck_near_t *const near = &around->near[pace];
     nck_piece_limit_t piece =
-        nck_joint_piece(joint, around->share[pace], pace, self->terms);
+        nck_junction_piece(junction, around->share[pace], pace, self->terms);
     if (!self->terms->limits_jerk) return piece;
     piece.a = nck_min(piece.a, near->a);
     piece.j = nck_min(piece.j, near->j);
@@ -116,90 +117,90 @@ static uint16_t half_of(float x) {
 }
 
 // What the axes leave at standstill; the linear slope asks for the acceleration alone.
-static inline void leave_at_rest(nck_node_t *node, const nck_joint_t *joint,
+static inline void leave_at_rest(nck_node_t *node, const nck_junction_t *junction,
                                  const nck_terms_t *terms) {
-    node->standstill.left.a = no_more(nck_joint_most(joint));
+    node->standstill.left.a = no_more(nck_junction_most(junction));
     if (!terms->limits_jerk) return;
-    node->standstill.left.j = no_more(joint->j_straight);
-    const int bends = joint->kind != NCK_SEG_LINE; // told apart here, which is quicker
-    node->q_rest = bends ? half_of(no_more(nck_joint_bends(joint, terms)))
+    node->standstill.left.j = no_more(junction->j_straight);
+    const int bends = junction->kind != NCK_SEG_LINE; // told apart here, which is quicker
+    node->q_rest = bends ? half_of(no_more(nck_junction_bends(junction, terms)))
                          : half_of(no_more(NCK_UNLIMITED));
 }
 
-// What a node has of its joint, and what nobody has found yet.
-static void begin_node(nck_node_t *node, const nck_joint_t *joint) {
-    node->seg = joint->seq;
+// What a node has of its junction, and what nobody has found yet.
+static void begin_node(nck_node_t *node, const nck_junction_t *junction) {
+    node->seg = junction->seq;
     node->stop = 0;
     node->last = 0;
-    node->kind = joint->kind;
+    node->kind = junction->kind;
     node->open = 0;
     node->q_rest = 0;
-    node->tool = (float)joint->tool;
-    node->feed = joint->feed;
+    node->tool = (float)junction->tool;
+    node->feed = junction->feed;
     node->standstill.dwell_s = 0.0;
     node->vv = 0.0;
 }
 
 // Append the piece from s[0] to s[1]; v_corner caps the node at its start.
-static nck_node_t *add_piece(nck_lookahead_t *self, const nck_joint_t *joint, const double s[2],
-                             const around_t *around, const double v_corner[]) {
-    nck_piece_limit_t piece = limits_of(self, joint, around, NCK_PACE_FEED);
-    const nck_piece_limit_t over = limits_of(self, joint, around, NCK_PACE_OVER);
+static nck_node_t *add_piece(nck_lookahead_t *self, const nck_junction_t *junction,
+                             const double s[2], const around_t *around, const double v_corner[]) {
+    nck_piece_limit_t piece = limits_of(self, junction, around, NCK_PACE_FEED);
+    const nck_piece_limit_t over = limits_of(self, junction, around, NCK_PACE_OVER);
     nck_node_t *const node = node_at(self, self->window.fill);
     if (self->terms->limits_jerk) piece.vv = nck_min(piece.vv, over.vv_free);
     piece.vv_free = over.vv_free;
     cap_node(self, node, &piece, v_corner);
-    begin_node(node, joint);
-    node->s = joint->kind == NCK_SEG_SPLINE ? joint->shape.bend.s + s[0] : s[0];
+    begin_node(node, junction);
+    node->s = junction->kind == NCK_SEG_SPLINE ? junction->shape.bend.s + s[0] : s[0];
     node->length = s[1] - s[0];
     node->a = piece.a;
     node->a_over = nck_min(piece.a, over.a);
     node->j = piece.j;
     node->j_over = nck_min(piece.j, over.j);
-    leave_at_rest(node, joint, self->terms);
+    leave_at_rest(node, junction, self->terms);
     self->window.fill++;
     return node;
 }
 
-static nck_node_t *add_rest(nck_lookahead_t *self, const nck_joint_t *joint) {
+static nck_node_t *add_rest(nck_lookahead_t *self, const nck_junction_t *junction) {
     nck_node_t *const node = node_at(self, self->window.fill);
     memset(node, 0, sizeof *node);
-    node->seg = joint->seq;
-    node->kind = joint->kind;
+    node->seg = junction->seq;
+    node->kind = junction->kind;
     node->a = self->terms->machine->path.a_max;
     node->a_over = node->a;
     node->j = self->terms->j_max;
     node->j_over = node->j;
-    node->standstill.dwell_s = joint->shape.dwell_s;
+    node->standstill.dwell_s = junction->shape.dwell_s;
     node->limit = NCK_LIMIT_EXACT_STOP;
-    node->limit_piece = joint->kind == NCK_SEG_DWELL    ? NCK_LIMIT_DWELL
-                        : joint->kind >= NCK_SEG_THREAD ? NCK_LIMIT_THREAD
+    node->limit_piece = junction->kind == NCK_SEG_DWELL    ? NCK_LIMIT_DWELL
+                        : junction->kind >= NCK_SEG_THREAD ? NCK_LIMIT_THREAD
                                                         : NCK_LIMIT_WAIT;
     self->window.fill++;
     return node;
 }
 
 // An interval of a clocked path: caps by feeds, all else is room 5's.
-static nck_node_t *add_clocked(nck_lookahead_t *self, const nck_joint_t *joint) {
+static nck_node_t *add_clocked(nck_lookahead_t *self, const nck_junction_t *junction) {
     nck_node_t *const node = node_at(self, self->window.fill);
-    const double most = joint->v_free;
+    const double most = junction->v_free;
     memset(node, 0, sizeof *node);
-    node->seg = joint->seq;
+    node->seg = junction->seq;
     node->kind = NCK_SEG_SPLINE;
-    node->tool = (float)joint->tool;
-    node->length = joint->shape.clocked;
+    node->tool = (float)junction->tool;
+    node->length = junction->shape.clocked;
     node->a = self->terms->machine->path.a_max;
     node->a_over = node->a;
     node->j = self->terms->j_max;
     node->j_over = node->j;
-    node->feed = joint->feed;
+    node->feed = junction->feed;
     node->vv_over = most * most;
-    node->vv_piece = joint->feed > 0.0 ? nck_min(most * most, joint->feed * joint->feed)
+    node->vv_piece = junction->feed > 0.0 ? nck_min(most * most, junction->feed * junction->feed)
                                        : most * most;
     node->vv_node = node->vv_over;
     node->vv_cap = node->vv_piece;
-    node->limit = joint->limit;
-    node->limit_piece = joint->limit;
+    node->limit = junction->limit;
+    node->limit_piece = junction->limit;
     self->window.fill++;
     return node;
 }
@@ -207,79 +208,79 @@ static nck_node_t *add_clocked(nck_lookahead_t *self, const nck_joint_t *joint) 
 // How fast the path may be between the segs count − 1 and count, both known if they exist, by the
 // junction and the segs.
 static double speed_between(nck_lookahead_t *self, uint32_t count) {
-    if (count == 0 || count == self->joint.head) return 0.0;
-    const nck_joint_t *const before = nck_joint_at(self, count - 1);
-    const nck_joint_t *const behind = nck_joint_at(self, count);
-    if ((before->end & NCK_JOINT_STOP) || behind->kind >= NCK_SEG_DWELL) return 0.0;
+    if (count == 0 || count == self->junction.head) return 0.0;
+    const nck_junction_t *const before = nck_junction_at(self, count - 1);
+    const nck_junction_t *const behind = nck_junction_at(self, count);
+    if ((before->end & NCK_JUNCTION_STOP) || behind->kind >= NCK_SEG_DWELL) return 0.0;
     const nck_pace_t *const pace = &before->pace[NCK_PACE_OVER];
     return nck_min(pace->v_corner, nck_min(pace->v, behind->pace[NCK_PACE_OVER].v));
 }
 
 // What overlaps between the segs node − 1 and node; NULL if nothing leaves jerk for another motion.
-static const nck_joint_overlap_t *overlap_at(nck_lookahead_t *self, uint32_t node) {
-    if (node == 0) return (const nck_joint_overlap_t *)0;
-    const nck_joint_t *const joint = nck_joint_at(self, node - 1);
-    const int shares = (joint->end & NCK_JOINT_STOP) && joint->overlap.share < 1.0f;
-    return shares ? &joint->overlap : (const nck_joint_overlap_t *)0;
+static const nck_junction_overlap_t *overlap_at(nck_lookahead_t *self, uint32_t node) {
+    if (node == 0) return (const nck_junction_overlap_t *)0;
+    const nck_junction_t *const junction = nck_junction_at(self, node - 1);
+    const int shares = (junction->end & NCK_JUNCTION_STOP) && junction->overlap.share < 1.0f;
+    return shares ? &junction->overlap : (const nck_junction_overlap_t *)0;
 }
 
 // Under a jerk limit: how far a zone reaches into a seg from its node, between the segs node − 1
 // and node: at the seg's
 // own speed, or at what it can have gained by then with the acceleration that the zone leaves.
 // Where no junction takes a share, as far as the filter mixes.
-static double zone_length(nck_lookahead_t *self, const nck_joint_t *joint, uint32_t node,
+static double zone_length(nck_lookahead_t *self, const nck_junction_t *junction, uint32_t node,
                           const around_t *around) {
     const double time = around->share[NCK_PACE_OVER] > 0.0 ? self->zone_s : self->terms->mix_s;
     const double near = nck_max(around->near[NCK_PACE_FEED].a, around->near[NCK_PACE_OVER].a);
-    const double gained = 0.5 * nck_min(joint->a_most, near) * time * time;
+    const double gained = 0.5 * nck_min(junction->a_most, near) * time * time;
     const double raised = speed_between(self, node) + self->terms->v_filter;
-    return nck_min(joint->pace[NCK_PACE_OVER].v * time, raised * time + gained);
+    return nck_min(junction->pace[NCK_PACE_OVER].v * time, raised * time + gained);
 }
 
 // Under a jerk limit: whether a seg is worth a piece of its own next to the node around which less
 // is allowed.
-static inline int is_tighter(const nck_lookahead_t *self, const nck_joint_t *joint,
+static inline int is_tighter(const nck_lookahead_t *self, const nck_junction_t *junction,
                              const around_t *around) {
     if (around->share[NCK_PACE_FEED] > SPLIT_SHARE) return 1;
-    const nck_piece_limit_t own = nck_joint_piece(joint, 0.0, NCK_PACE_FEED, self->terms);
+    const nck_piece_limit_t own = nck_junction_piece(junction, 0.0, NCK_PACE_FEED, self->terms);
     const nck_near_t *const near = &around->near[NCK_PACE_FEED];
     return near->a < (1.0 - SPLIT_SHARE) * own.a || near->j < (1.0 - SPLIT_SHARE) * own.j;
 }
 
 // 1 if a seg has a middle that is worth a piece beside zones that are so long.
-static inline int has_middle(const nck_joint_t *joint, double zones) {
-    return joint->length > NCK_ZONES_CUT * zones;
+static inline int has_middle(const nck_junction_t *junction, double zones) {
+    return junction->length > NCK_ZONES_CUT * zones;
 }
 
 // The linear slope, once it cuts a seg, cuts at every share, and all zones are of one length.
-static int find_shares(const nck_lookahead_t *self, const nck_joint_t *joint,
+static int find_shares(const nck_lookahead_t *self, const nck_junction_t *junction,
                        const around_t ends[2], int is_cut_off[2], double zone[2]) {
     const double share[2] = {ends[0].share[NCK_PACE_FEED], ends[1].share[NCK_PACE_FEED]};
-    const double length = joint->v_max * self->zone_s;
+    const double length = junction->v_max * self->zone_s;
     if (!(nck_max(share[0], share[1]) > SPLIT_SHARE)) return 0;
-    if (!has_middle(joint, length)) return 0; // too short for one of them
+    if (!has_middle(junction, length)) return 0; // too short for one of them
     is_cut_off[0] = share[0] > 0.0;
     is_cut_off[1] = share[1] > 0.0;
     zone[0] = is_cut_off[0] ? length : 0.0;
     zone[1] = is_cut_off[1] ? length : 0.0;
-    return has_middle(joint, zone[0] + zone[1]);
+    return has_middle(junction, zone[0] + zone[1]);
 }
 
 // The zones of a seg that are cut off, and how long they are; none if the middle would be too
 // short. Returns 1 if any is.
 static int find_zones(nck_lookahead_t *self, uint32_t count, const around_t ends[2],
                       int is_cut_off[2], double zone[2]) {
-    const nck_joint_t *const joint = nck_joint_at(self, count);
+    const nck_junction_t *const junction = nck_junction_at(self, count);
     for (uint32_t n = 0; n < 2; n++) {
-        is_cut_off[n] = is_tighter(self, joint, &ends[n]);
+        is_cut_off[n] = is_tighter(self, junction, &ends[n]);
         zone[n] = 0.0;
         if (!is_cut_off[n]) continue;
-        const nck_joint_overlap_t *const overlap = overlap_at(self, count + n);
-        zone[n] = zone_length(self, joint, count + n, &ends[n]);
+        const nck_junction_overlap_t *const overlap = overlap_at(self, count + n);
+        zone[n] = zone_length(self, junction, count + n, &ends[n]);
         if (overlap) zone[n] = nck_max(zone[n], (double)overlap->reach[1 - n]);
-        if (!has_middle(joint, zone[n])) return 0;
+        if (!has_middle(junction, zone[n])) return 0;
     }
-    return (is_cut_off[0] || is_cut_off[1]) && has_middle(joint, zone[0] + zone[1]);
+    return (is_cut_off[0] || is_cut_off[1]) && has_middle(junction, zone[0] + zone[1]);
 }
 
 // What is left of the neighbourhood in a middle whose ends are cut off or not. The linear slope's
@@ -305,12 +306,12 @@ typedef struct cutting {
 } cutting_t;
 
 // All of a seg in one piece, under what both of its sides leave.
-static inline void keep_whole(const nck_lookahead_t *self, const nck_joint_t *joint,
+static inline void keep_whole(const nck_lookahead_t *self, const nck_junction_t *junction,
                               around_t ends[2], cutting_t *cutting) {
     if (self->terms->limits_jerk) add_around(self, &ends[0], &ends[1]);
     else add_shares(&ends[0], &ends[1]);
     cutting->under[0] = &ends[0];
-    cutting->s[1] = joint->length;
+    cutting->s[1] = junction->length;
     cutting->count = 1;
 }
 
@@ -323,9 +324,10 @@ static void cut_at(cutting_t *cutting, double s, const around_t *around) {
 
 // Inside a zone the share of its junction is kept free and its neighbour's limits hold; the middle
 // has all that the seg allows.
-static void cut_off(const nck_lookahead_t *self, const nck_joint_t *joint, const around_t ends[2],
-                    const int is_cut_off[2], const double zone[2], cutting_t *cutting) {
-    const double middle = is_cut_off[1] ? joint->length - zone[1] : joint->length;
+static void cut_off(const nck_lookahead_t *self, const nck_junction_t *junction,
+                    const around_t ends[2], const int is_cut_off[2], const double zone[2],
+                    cutting_t *cutting) {
+    const double middle = is_cut_off[1] ? junction->length - zone[1] : junction->length;
     memcpy(cutting->beside, ends, sizeof cutting->beside);
     keep_in_middle(self, ends, is_cut_off, &cutting->inside);
     for (int n = 0; n < 2 && self->terms->limits_jerk; n++) {
@@ -334,14 +336,14 @@ static void cut_off(const nck_lookahead_t *self, const nck_joint_t *joint, const
     }
     if (is_cut_off[0]) cut_at(cutting, zone[0], &cutting->beside[0]);
     cut_at(cutting, middle, &cutting->inside);
-    if (is_cut_off[1]) cut_at(cutting, joint->length, &cutting->beside[1]);
+    if (is_cut_off[1]) cut_at(cutting, junction->length, &cutting->beside[1]);
 }
 
 // Returns the last piece.
 static nck_node_t *add_motion(nck_lookahead_t *self, uint32_t count, around_t ends[2],
                               const double v_start[]) {
-    const nck_joint_t *const joint = nck_joint_at(self, count);
-    const double unlimited[NCK_PACES] = {joint->v_max, joint->v_free};
+    const nck_junction_t *const junction = nck_junction_at(self, count);
+    const double unlimited[NCK_PACES] = {junction->v_max, junction->v_free};
     double zone[2];
     int is_cut_off[2];
     cutting_t cutting;
@@ -349,32 +351,32 @@ static nck_node_t *add_motion(nck_lookahead_t *self, uint32_t count, around_t en
     cutting.s[0] = 0.0;
     const int is_cut = self->terms->limits_jerk
                            ? find_zones(self, count, ends, is_cut_off, zone)
-                           : find_shares(self, joint, ends, is_cut_off, zone);
-    if (is_cut) cut_off(self, joint, ends, is_cut_off, zone, &cutting);
-    else keep_whole(self, joint, ends, &cutting);
+                           : find_shares(self, junction, ends, is_cut_off, zone);
+    if (is_cut) cut_off(self, junction, ends, is_cut_off, zone, &cutting);
+    else keep_whole(self, junction, ends, &cutting);
     nck_node_t *node = (nck_node_t *)0;
     for (uint32_t k = 0; k < cutting.count; k++) {
         const double *const v_node = k == 0 ? v_start : unlimited;
-        node = add_piece(self, joint, &cutting.s[k], cutting.under[k], v_node);
+        node = add_piece(self, junction, &cutting.s[k], cutting.under[k], v_node);
     }
     return node;
 }
 
 // Beside a stop where motions overlap each keeps to its share of the jerk.
 static void share_jerk(nck_lookahead_t *self, uint32_t count, around_t ends[2]) {
-    const nck_joint_t *const joint = nck_joint_at(self, count);
+    const nck_junction_t *const junction = nck_junction_at(self, count);
     for (uint32_t n = 0; n < 2; n++) {
-        const nck_joint_overlap_t *const overlap = overlap_at(self, count + n);
+        const nck_junction_overlap_t *const overlap = overlap_at(self, count + n);
         if (!overlap) continue;
-        const double j = (double)overlap->share * joint->j_straight;
+        const double j = (double)overlap->share * junction->j_straight;
         for (int k = 0; k < NCK_PACES; k++) {
             ends[n].near[k].j = nck_min(ends[n].near[k].j, j);
         }
     }
 }
 
-// What reaches into the oldest joint from before and, beside the shares, from behind. NCK_EMPTY if
-// it is not known yet.
+// What reaches into the oldest junction from before and, beside the shares, from behind. NCK_EMPTY
+// if it is not known yet.
 static nck_status_t look_around(nck_lookahead_t *self, uint32_t count, around_t ends[2]) {
     nck_zone_reach_t before;
     nck_zone_shares_before(self, count, &before);
@@ -393,7 +395,7 @@ static nck_status_t look_around(nck_lookahead_t *self, uint32_t count, around_t 
 static nck_node_t *place_motion(nck_lookahead_t *self, uint32_t count, around_t ends[2]) {
     double v_start[NCK_PACES] = {0.0, 0.0};
     if (count > 0) {
-        const nck_pace_t *const pace = nck_joint_at(self, count - 1)->pace;
+        const nck_pace_t *const pace = nck_junction_at(self, count - 1)->pace;
         v_start[NCK_PACE_FEED] = pace[NCK_PACE_FEED].v_corner;
         v_start[NCK_PACE_OVER] = pace[NCK_PACE_OVER].v_corner;
     }
@@ -401,33 +403,33 @@ static nck_node_t *place_motion(nck_lookahead_t *self, uint32_t count, around_t 
 }
 
 // The seg is placed: for how long the share of a junction that got more than half is kept free.
-static inline void pass_share(nck_lookahead_t *self, const nck_joint_t *joint) {
-    const nck_pace_t *const pace = &joint->pace[NCK_PACE_OVER];
+static inline void pass_share(nck_lookahead_t *self, const nck_junction_t *junction) {
+    const nck_pace_t *const pace = &junction->pace[NCK_PACE_OVER];
     const int is_most = pace->share > NCK_CORNER_SHARE_MAX;
     if (is_most) self->most_s = (float)(NCK_ZONE_MARGIN * self->zone_s);
     else self->most_s -= (float)pace->time;
 }
 
 nck_status_t nck_piece_place(nck_lookahead_t *self, const double share_after[NCK_PACES]) {
-    const uint32_t count = self->joint.placed;
-    const nck_joint_t *const joint = nck_joint_at(self, count);
+    const uint32_t count = self->junction.placed;
+    const nck_junction_t *const junction = nck_junction_at(self, count);
     around_t ends[2];
     memcpy(ends[1].share, share_after, sizeof ends[1].share);
     const nck_status_t status = look_around(self, count, ends);
     if (status != NCK_OK) return status;
-    const int is_clocked = NCK_HAS_OPTIMAL && joint->kind == NCK_JOINT_CLOCKED;
-    nck_node_t *const end = is_clocked                     ? add_clocked(self, joint)
-                            : joint->kind >= NCK_SEG_DWELL ? add_rest(self, joint)
+    const int is_clocked = NCK_HAS_OPTIMAL && junction->kind == NCK_JUNCTION_CLOCKED;
+    nck_node_t *const end = is_clocked                     ? add_clocked(self, junction)
+                            : junction->kind >= NCK_SEG_DWELL ? add_rest(self, junction)
                                                            : place_motion(self, count, ends);
-    end->last = (joint->end & NCK_JOINT_LAST) != 0;
-    end->stop = (joint->end & (is_clocked ? NCK_JOINT_RESTS : NCK_JOINT_STOP)) != 0;
-    if (joint->end & NCK_JOINT_STOP) {
+    end->last = (junction->end & NCK_JUNCTION_LAST) != 0;
+    end->stop = (junction->end & (is_clocked ? NCK_JUNCTION_RESTS : NCK_JUNCTION_STOP)) != 0;
+    if (junction->end & NCK_JUNCTION_STOP) {
         self->before.vv = 0.0;
         self->before.vv_over = 0.0;
         self->before_limit = NCK_LIMIT_EXACT_STOP;
     }
-    if (joint->kind == NCK_SEG_WAIT) self->window.barrier = self->window.fill;
-    if (!self->terms->limits_jerk) pass_share(self, joint);
-    self->joint.placed++;
+    if (junction->kind == NCK_SEG_WAIT) self->window.barrier = self->window.fill;
+    if (!self->terms->limits_jerk) pass_share(self, junction);
+    self->junction.placed++;
     return NCK_OK;
 }

@@ -21,7 +21,7 @@ static double crossing_time(const double half[2], double v, const nck_scurve_t *
 
 // Whether the path, under a jerk limit, is faster with a stop at a junction. A blunt one is crossed
 // as fast as a ramp from rest gets over half a seg, v³ = j·l².
-static int is_slow(const nck_joint_t *in, const nck_joint_t *out, double load,
+static int is_slow(const nck_junction_t *in, const nck_junction_t *out, double load,
                    const nck_terms_t *terms) {
     const double period = terms->machine->period_s;
     const double half[2] = {0.5 * in->length, 0.5 * out->length};
@@ -40,20 +40,20 @@ static int is_slow(const nck_joint_t *in, const nck_joint_t *out, double load,
 
 // All over segs that are too short to be cut at the zones of the programmed speed, a crossing
 // leaves half of the acceleration. A stop costs a period at most.
-int nck_stop_is_faster(const nck_joint_t *in, const nck_joint_t *out, double load, double v,
+int nck_stop_is_faster(const nck_junction_t *in, const nck_junction_t *out, double load, double v,
                        const nck_machine_t *machine) {
-    const nck_joint_t *joint[2];
-    joint[0] = in;
-    joint[1] = out;
+    const nck_junction_t *junction[2];
+    junction[0] = in;
+    junction[1] = out;
     const double period = machine->period_s;
     const double share = v * load / period;
     double stop = period;
     double crossing = 0.0;
     for (int n = 0; n < 2; n++) {
-        const nck_scurve_t all = {joint[n]->a_most, NCK_UNLIMITED, joint[n]->v_max};
+        const nck_scurve_t all = {junction[n]->a_most, NCK_UNLIMITED, junction[n]->v_max};
         const nck_scurve_t left = {(1.0 - share) * all.a, NCK_UNLIMITED, all.v_max};
-        const double half = 0.5 * joint[n]->length;
-        const double zone = joint[n]->v_max * period;
+        const double half = 0.5 * junction[n]->length;
+        const double zone = junction[n]->v_max * period;
         stop += nck_scurve_over(&all, 0.0, half);
         if (half > NCK_ZONES_CUT * zone) return 0;
         crossing += nck_scurve_over(&left, v, half);
@@ -61,7 +61,7 @@ int nck_stop_is_faster(const nck_joint_t *in, const nck_joint_t *out, double loa
     return stop < crossing;
 }
 
-int nck_stop_pays_jerk(const nck_joint_t *in, const nck_joint_t *out, double load,
+int nck_stop_pays_jerk(const nck_junction_t *in, const nck_junction_t *out, double load,
                        const nck_terms_t *terms) {
     const double a = nck_min(in->a_most, out->a_most);
     const double a_there = nck_min(a, terms->j_max * nck_zone_s(terms));

@@ -3,13 +3,13 @@
 #ifndef NCK_PREP_WALK_H
 #define NCK_PREP_WALK_H
 
-#include "nck/base/budget.h"            // NCK_UNLIMITED
-#include "nck/prep/4_lookahead/joint.h" // nck_lookahead_t nck_joint_t nck_joint_at
-#include "nck/prep/4_lookahead/zone.h"  // nck_zone_parts
+#include "nck/base/budget.h"               // NCK_UNLIMITED
+#include "nck/prep/4_lookahead/junction.h" // nck_lookahead_t nck_junction_t nck_junction_at
+#include "nck/prep/4_lookahead/zone.h"     // nck_zone_parts
 
 // One direction of a walk along the junctions, away from the one in the middle.
 typedef struct nck_side {
-    uint32_t at;        // the next neighbour: the junction at the end of this joint
+    uint32_t at;        // the next neighbour
     uint32_t steps;     // neighbours so far
     double x;           // its distance [mm]; of an unknown one, the least that it can be;
                         // NCK_UNLIMITED: there are no more
@@ -39,15 +39,15 @@ static inline void nck_walk_ahead(nck_lookahead_t *self, nck_walk_t *walk) {
     }
     side->steps++;
     side->at++;
-    if (side->at == self->joint.head) {
+    if (side->at == self->junction.head) {
         walk->is_unknown = !self->ended;
         if (self->ended) side->x = NCK_UNLIMITED;
         return;
     }
-    const nck_joint_t *const joint = nck_joint_at(self, side->at);
-    side->x += joint->length;
-    walk->is_unknown = side->at + 1 == self->joint.head && !self->ended;
-    if (nck_zone_parts(joint, self->zone_s)) side->x = NCK_UNLIMITED;
+    const nck_junction_t *const junction = nck_junction_at(self, side->at);
+    side->x += junction->length;
+    walk->is_unknown = side->at + 1 == self->junction.head && !self->ended;
+    if (nck_zone_parts(junction, self->zone_s)) side->x = NCK_UNLIMITED;
 }
 
 // One neighbour further behind. Cost: constant.
@@ -57,16 +57,16 @@ static inline void nck_walk_behind(nck_lookahead_t *self, nck_walk_t *walk) {
         nck_walk_cut(walk, side);
         return;
     }
-    if (side->at == 0 || nck_zone_parts(nck_joint_at(self, side->at - 1), self->zone_s)) {
+    if (side->at == 0 || nck_zone_parts(nck_junction_at(self, side->at - 1), self->zone_s)) {
         side->x = NCK_UNLIMITED;
         return;
     }
-    side->x += nck_joint_at(self, side->at)->length;
+    side->x += nck_junction_at(self, side->at)->length;
     side->steps++;
     side->at--;
 }
 
-// Stand at the junction at the end of joint `count`. Cost: constant.
+// Stand at the junction `count`. Cost: constant.
 static inline void nck_walk_begin(nck_lookahead_t *self, nck_walk_t *walk, uint32_t count) {
     const nck_side_t here = {count, 0, 0.0};
     walk->ahead = here;
@@ -79,12 +79,12 @@ static inline void nck_walk_begin(nck_lookahead_t *self, nck_walk_t *walk, uint3
 // The next neighbour nearer than reach [mm], and its distance [mm]. NCK_OK; NCK_DONE: no more;
 // NCK_EMPTY: not known yet. Cost: constant.
 static inline nck_status_t nck_walk_next(nck_lookahead_t *self, nck_walk_t *walk, double reach,
-                                         const nck_joint_t **joint_out, double *x_out) {
+                                         const nck_junction_t **junction_out, double *x_out) {
     const int forth = walk->ahead.x <= walk->behind.x;
     const nck_side_t *const side = forth ? &walk->ahead : &walk->behind;
     if (side->x >= reach) return NCK_DONE;
     if (forth && walk->is_unknown) return NCK_EMPTY;
-    *joint_out = nck_joint_at(self, side->at);
+    *junction_out = nck_junction_at(self, side->at);
     *x_out = side->x;
     if (forth) {
         nck_walk_ahead(self, walk);

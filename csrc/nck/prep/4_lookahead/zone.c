@@ -9,7 +9,7 @@
 #define ZONES_APART 16.0
 double nck_zone_s(const nck_terms_t *terms) { return terms->machine->period_s + terms->mix_s; }
 
-int nck_zone_is_alone(const nck_joint_t *in, const nck_joint_t *out, double load,
+int nck_zone_is_alone(const nck_junction_t *in, const nck_junction_t *out, double load,
                       const nck_terms_t *terms) {
     const double time = nck_zone_s(terms);
     const double v =

@@ -4,7 +4,7 @@
 #define NCK_PREP_ZONE_H
 
 #include "nck/base/budget.h"                 // NCK_UNLIMITED
-#include "nck/prep/4_lookahead/joint.h"      // nck_lookahead_t nck_joint_t nck_joint_at
+#include "nck/prep/4_lookahead/junction.h"   // nck_lookahead_t nck_junction_t nck_junction_at
 #include "nck/prep/4_lookahead/limit_math.h" // NCK_CORNER_SHARE_…
 
 // A seg is cut where its zones end only if it is longer than both of them together by so much: the
@@ -24,15 +24,15 @@ static inline int nck_zone_rests(double dwell_s, double zone_s) {
     return dwell_s >= 2.0 * zone_s;
 }
 
-// 1 if a joint is such a rest, a WAIT, or of a clocked path. Cost: constant.
-static inline int nck_zone_parts(const nck_joint_t *joint, double zone_s) {
-    if (joint->kind < NCK_SEG_DWELL) return 0;
-    return joint->kind == NCK_SEG_WAIT || joint->kind == NCK_JOINT_CLOCKED
-           || (joint->kind == NCK_SEG_DWELL && nck_zone_rests(joint->shape.dwell_s, zone_s));
+// 1 if a junction is such a rest, a WAIT, or of a clocked path. Cost: constant.
+static inline int nck_zone_parts(const nck_junction_t *junction, double zone_s) {
+    if (junction->kind < NCK_SEG_DWELL) return 0;
+    return junction->kind == NCK_SEG_WAIT || junction->kind == NCK_JUNCTION_CLOCKED
+           || (junction->kind == NCK_SEG_DWELL && nck_zone_rests(junction->shape.dwell_s, zone_s));
 }
 
 // 1 if no other junction is near one of this load [s²/mm] between two segs. Cost: constant.
-int nck_zone_is_alone(const nck_joint_t *in, const nck_joint_t *out, double load,
+int nck_zone_is_alone(const nck_junction_t *in, const nck_junction_t *out, double load,
                       const nck_terms_t *terms);
 
 // A walk away from a seg at both paces. No seg takes longer with an override than without: so the
@@ -44,18 +44,20 @@ typedef struct nck_zone_reach {
                              // the zone is left; else NCK_UNLIMITED [s]
 } nck_zone_reach_t;
 
-// The walk comes to a joint's end. Cost: constant.
-static inline void nck_zone_meet(nck_zone_reach_t *reach, const nck_joint_t *joint, double zone_s) {
+// The walk comes to a junction's end. Cost: constant.
+static inline void nck_zone_meet(nck_zone_reach_t *reach, const nck_junction_t *junction,
+                                 double zone_s) {
     for (int k = 0; k < NCK_PACES; k++) {
         if (k != NCK_PACE_FEED || reach->time[k] < zone_s) {
-            reach->share[k] = nck_max(reach->share[k], joint->pace[k].share);
+            reach->share[k] = nck_max(reach->share[k], junction->pace[k].share);
         }
     }
 }
 
-// The walk passes a joint. Returns 1 if the zone ends within it. Cost: constant.
-static inline int nck_zone_pass(nck_zone_reach_t *reach, const nck_joint_t *joint, double zone_s) {
-    for (int k = 0; k < NCK_PACES; k++) reach->time[k] += joint->pace[k].time;
+// The walk passes a junction. Returns 1 if the zone ends within it. Cost: constant.
+static inline int nck_zone_pass(nck_zone_reach_t *reach, const nck_junction_t *junction,
+                                double zone_s) {
+    for (int k = 0; k < NCK_PACES; k++) reach->time[k] += junction->pace[k].time;
     return reach->time[NCK_PACE_OVER] >= zone_s;
 }
 
@@ -75,10 +77,10 @@ static inline void nck_zone_shares_before(nck_lookahead_t *self, uint32_t count,
     for (uint32_t n = 0; n < NCK_CORNER_SPAN; n++) {
         if (count == 0) return;
         count--;
-        const nck_joint_t *const joint = nck_joint_at(self, count);
-        if (nck_zone_parts(joint, self->zone_s)) return;
-        nck_zone_meet(reach, joint, self->zone_s);
-        if (nck_zone_pass(reach, joint, self->zone_s)) return;
+        const nck_junction_t *const junction = nck_junction_at(self, count);
+        if (nck_zone_parts(junction, self->zone_s)) return;
+        nck_zone_meet(reach, junction, self->zone_s);
+        if (nck_zone_pass(reach, junction, self->zone_s)) return;
     }
     const int is_most = self->most_s > 0.0f;
     nck_zone_cut_off(reach, self, is_most ? NCK_CORNER_SHARE_LONE : NCK_CORNER_SHARE_MAX);
@@ -86,17 +88,17 @@ static inline void nck_zone_shares_before(nck_lookahead_t *self, uint32_t count,
 static inline nck_status_t nck_zone_shares_after(nck_lookahead_t *self, uint32_t count,
                                                  nck_zone_reach_t *reach) {
     const nck_zone_reach_t begin = {{0.0, 0.0}, {0.0, 0.0}, NCK_UNLIMITED};
-    const nck_joint_t *joint = nck_joint_at(self, count);
+    const nck_junction_t *junction = nck_junction_at(self, count);
     *reach = begin;
     for (uint32_t n = 0; n < NCK_CORNER_SPAN; n++) {
-        if (count == self->joint.decided) return NCK_EMPTY;
-        nck_zone_meet(reach, joint, self->zone_s);
-        if (nck_zone_parts(joint, self->zone_s)) return NCK_OK;
+        if (count == self->junction.decided) return NCK_EMPTY;
+        nck_zone_meet(reach, junction, self->zone_s);
+        if (nck_zone_parts(junction, self->zone_s)) return NCK_OK;
         count++;
-        if (count == self->joint.head) return self->ended ? NCK_OK : NCK_EMPTY;
-        joint = nck_joint_at(self, count);
-        if (!nck_zone_pass(reach, joint, self->zone_s)) continue;
-        if (count == self->joint.decided) reach->known = reach->time[NCK_PACE_OVER];
+        if (count == self->junction.head) return self->ended ? NCK_OK : NCK_EMPTY;
+        junction = nck_junction_at(self, count);
+        if (!nck_zone_pass(reach, junction, self->zone_s)) continue;
+        if (count == self->junction.decided) reach->known = reach->time[NCK_PACE_OVER];
         return NCK_OK;
     }
     nck_zone_cut_off(reach, self, NCK_CORNER_SHARE_MAX);

@@ -30,7 +30,8 @@ enum {
 #define ROOM 0.3
 #define ROOM_SLOWED 0.005
 // Price of being faster than a lowered cap for a second, where it is not lowered: by the cube of
-// the share that it is lowered to, since the time that is won by breaking it grows likewise.
+// the share that it is lowered to, since the time that is won by breaking it grows likewise. With
+// 10 an override takes up to 4.8 times a brake along a line, with 2 up to 1.9 times.
 #define SLOWER_PRICE 2.0
 // Of the speed now, what one plan is slowed down to at least: 25 to 40 iterations; the next one
 // goes on from there, once that is reached. With 0.05 an override of 1 % takes up to 7 times as
@@ -38,12 +39,14 @@ enum {
 #define SLOWER_LEAST 0.02
 // … it has done so once v² is less than so many times what it is slowed down to.
 #define SLOWER_DONE 1.5
+// … or where its next v² is more than that share of the one before.
+#define SLOWED 0.9
 // Nodes within which that is looked for: a brake takes about so many.
 enum { SLOWER_NODES = 48 };
 
-// Of what it is asked for, the most that a plan may take of a limit anywhere: what its check lets
-// pass, and a little. Beyond it the plan before goes on.
-#define SHARE_MOST 1.004
+// Of what it is asked for, the most that a plan may take of a limit anywhere: with what its cells
+// are off it (CELL_SHARE) that is all of the limit. Beyond it the plan before goes on.
+#define SHARE_MOST 1.001
 // A plan from rest that has to be slowed down by more is sought again from there, so many times.
 #define AGAIN_BELOW 0.98
 enum { AGAIN_MOST = 2 };
@@ -203,19 +206,27 @@ static uint32_t find_top(const nck_optimal_pace_t *work, uint32_t least) {
     return work->n;
 }
 
+// Where a plan has slowed down: to what it is raised to at least, or as far as it does.
+static uint32_t slowed_at(const nck_optimal_t *self, const nck_optimal_pace_t *work,
+                          uint32_t step) {
+    const int least = self->slower <= SLOWER_LEAST;
+    for (uint32_t k = least ? NCK_OPTIMAL_GIVEN : COMMIT_LEAST; k < step; k++) {
+        const double here = (double)work->along[k] * work->b[k];
+        const double behind = (double)work->along[k + 1] * work->b[k + 1];
+        const int low = !least || here < SLOWER_DONE * self->vv_floor;
+        if (low && behind > SLOWED * here) return k;
+    }
+    return step;
+}
+
 // Where the next plan takes over, in the middle of an interval: behind so many of them. One that
-// has not slowed down to what is asked for is followed where it is slow.
+// slows down is followed where it is slow: it has not slowed down to what is asked for, or it has
+// paid for being faster further on.
 static uint32_t commit_of(const nck_optimal_t *self, const nck_optimal_pace_t *work) {
     const uint32_t off = work->ends ? 0 : COMMIT_OFF;
     uint32_t step = work->top > off + COMMIT_LEAST ? work->top - off : COMMIT_LEAST;
     if (step > COMMIT_MOST) step = COMMIT_MOST;
-    if (self->slower <= SLOWER_LEAST) {
-        for (uint32_t k = NCK_OPTIMAL_GIVEN; k < step; k++) {
-            const double here = (double)work->along[k] * work->b[k];
-            const double behind = (double)work->along[k + 1] * work->b[k + 1];
-            if (here < SLOWER_DONE * self->vv_floor && behind > 0.9 * here) step = k;
-        }
-    }
+    if (nck_optimal_slows(self)) step = slowed_at(self, work, step);
     if (step + NCK_OPTIMAL_GIVEN <= work->n) return step;
     return work->n > NCK_OPTIMAL_GIVEN ? work->n - NCK_OPTIMAL_GIVEN : 1;
 }

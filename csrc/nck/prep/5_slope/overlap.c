@@ -372,7 +372,7 @@ static double join(const nck_machine_t *machine, const nck_link_t *link,
     corner.v_most = nck_sqrt(vv);
     corner.period = machine->period_s;
     corner.shares = nck_overlap_shares(machine, NCK_AXIS_MAX, &motions);
-    // At a low speed a spline has more jerk than its piece tells (jerk.md, "What a bend leaves").
+    // At a low speed a spline has more jerk than its piece tells (docs/stops.md, "Hold").
     const int are_lines = seg[0]->kind == NCK_SEG_LINE && seg[1]->kind == NCK_SEG_LINE;
     const double sum = nck_overlap_sum(machine, NCK_AXIS_MAX, &motions);
     corner.ordered = !are_lines || sum > 1.0 + JERK_EPSILON;

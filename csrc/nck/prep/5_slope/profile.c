@@ -23,6 +23,9 @@ enum {
     FALL, HULL_W, LEVEL_W, HULL_HIGH, LEVEL_HIGH, HULL_LAST, LEVEL_LAST, KEEP, PLANNED
 };
 
+// 7 nodes of a climb have the instructions of 8 in other passes, or more: they count as such.
+enum { CLIMB_PRICE = 8 };
+
 // The entry speed is met if w agrees so far; a change of acceleration within rule R if it exceeds
 // it by no more than this share of a_max (rounding in w over short cells).
 #define SPEED_EPSILON 1e-9
@@ -339,8 +342,9 @@ static double jerk_of_first(const nck_profile_t *self, uint32_t cell, int back) 
 
 // Rise and fall: the cells of one pass, forth or back, each within its bound.
 static uint32_t climb(nck_profile_t *self, uint32_t budget, const double *bound, int back) {
-    const uint32_t count = back ? nck_profile_left_back(self, budget)
-                                : nck_profile_left_forth(self, budget);
+    const uint32_t nodes = budget - budget / CLIMB_PRICE;
+    const uint32_t count = back ? nck_profile_left_back(self, nodes)
+                                : nck_profile_left_forth(self, nodes);
     const int begins = self->i == (back ? self->n : 0);
     size_t i = begins ? begin_climb(self, back) : self->i;
     size_t cell = back ? i : i - 1;
@@ -362,7 +366,7 @@ static uint32_t climb(nck_profile_t *self, uint32_t budget, const double *bound,
     }
     keep_rise(self, &state);
     self->i = (uint32_t)i;
-    return count;
+    return count < nodes ? count + count / (CLIMB_PRICE - 1) : budget;
 }
 
 static uint32_t work(nck_profile_t *self, uint32_t budget) {

@@ -15,6 +15,7 @@ enum { PHASE_IDLE = 0, PHASE_MAKE, PHASE_INSTALL };
 
 // Periods that are final ahead of the tick.
 #define LEAD_PERIODS 5.0
+#define ALL_S 1e9
 // A plan begins so many periods behind them at least; a hold's is made sooner.
 #define PLAN_PERIODS 3.5
 #define HOLD_PERIODS 1.0
@@ -184,11 +185,11 @@ static uint32_t cell_after(const nck_slope_t *self, uint32_t first, double time,
 }
 
 // Where a plan begun now takes over: as long on as the last one took, twice, because it may be made
-// twice. A hold's is short. What was put off gets more.
+// twice. A hold's is short, and a clock that stands waits. What was put off gets more.
 static uint32_t takeover(nck_slope_t *self) {
     const double periods = self->wish.hold ? HOLD_PERIODS : PLAN_PERIODS;
     const double least_s = periods * self->machine->period_s;
-    const double twice_s = self->wish.hold ? 0.0 : 2.0 * self->spent_s;
+    const double twice_s = self->wish.hold || self->stands ? 0.0 : 2.0 * self->spent_s;
     const double time = nck_max(nck_max(least_s, twice_s), self->answer.reserve_s);
     const uint32_t first = cell_after(self, final_count(self), time, self->now.n);
     return nck_planner_seam(self, nck_larger(first, self->now.beside));
@@ -423,6 +424,13 @@ static nck_status_t note_final(nck_slope_t *self, const nck_pieces_t *pieces, in
     return NCK_OK;
 }
 
+// How long what is final lasts at least [s]. While the clock stands all before an answer is final
+// once that is drawn: so it is in force when the clock sets off.
+static double lead(const nck_slope_t *self) {
+    const int drawn = self->stands && self->answer.pending && self->phase == PHASE_INSTALL;
+    return drawn ? ALL_S : self->lead_s;
+}
+
 nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const nck_wish_t *wish) {
     int entered = 0;
     (void)nck_link_end(self->link, &entered);
@@ -435,7 +443,7 @@ nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const
     const uint32_t done = final_count(self);
     const uint32_t limit = final_limit(self);
     if (done == limit && waits_no_longer(self, pieces)) return NCK_OK;
-    if (done < limit && nck_link_advance(self->link, self->lead_s, limit - done) == NCK_OK) {
+    if (done < limit && nck_link_advance(self->link, lead(self), limit - done) == NCK_OK) {
         return note_final(self, pieces, lacks && same && !entered);
     }
     // While a plan is made, only what becomes final moves on.

@@ -50,6 +50,7 @@ typedef struct nck_slope {
     uint32_t waits;        // 1: single block keeps the path behind now; any context reads
     uint32_t brakes;       // 1: the plan of now brings the rest asked for; any context reads
     uint32_t in_tail;      // 1: the tick has been seen in the stop tail
+    uint32_t stands;       // 1: its clock stands, amid a clocked path
     struct {
         uint32_t status;   // what the last step said, which lacked pieces; NCK_FULL: or what the
                            // tick takes; NCK_OK: none such. As things were then:

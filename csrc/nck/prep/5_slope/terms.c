@@ -126,7 +126,6 @@ void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     *terms_out = linear;
     if (!NCK_HAS_JERK || machine->slope == NCK_SLOPE_LINEAR) return;
     terms_out->limits_jerk = 1;
-    terms_out->limits_path = (uint8_t)path_binds(machine, axes);
     terms_out->taps = NCK_FILTER_TAPS;
     terms_out->j_max = jerk_along(machine, axes, filter);
     terms_out->mix_s = 0.5 * filter;
@@ -134,6 +133,9 @@ void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     terms_out->v_filter =
         nck_ladder_raise(terms_out->j_max, filter, NCK_LADDER_STRETCH * cell);
     terms_out->rest_s = period + filter;
-    if (machine->slope == NCK_SLOPE_OPTIMAL) set_knot(machine, axes, terms_out);
+    if (machine->slope == NCK_SLOPE_OPTIMAL) {
+        terms_out->limits_path = (uint8_t)path_binds(machine, axes);
+        set_knot(machine, axes, terms_out);
+    }
     if (NCK_HAS_OVERLAP) terms_out->ride_s = ride_of(machine);
 }

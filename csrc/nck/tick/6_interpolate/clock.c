@@ -34,6 +34,8 @@
 #define SPEED_LEAST 1e-9 // [mm/s] a tool that is slower takes any k′
 // A clock that is so near to running runs: a jump of 1e-9 periods' way.
 #define RUNS_EPSILON 1e-9
+// A clock that stands waits so long for a plan that is made: some tens are usual.
+enum { KEPT_PERIODS = 250 };
 // Newton's steps to a time within a cell: each doubles the digits of a first guess good to some %.
 enum { TIME_STEPS = 4 };
 
@@ -337,7 +339,14 @@ void nck_clock_go_on(nck_clock_t *self) {
     self->first.rate = 0.0;
     self->second.gain = 0.0;
     self->feels = 1;
+    self->kept = 0;
     nck_fence_store(&self->state, NCK_CLOCK_SETS_OFF);
+}
+
+void nck_clock_leave(nck_clock_t *self, uint32_t kept) {
+    if (self->state != NCK_CLOCK_STANDS) return;
+    if (kept && self->kept < KEPT_PERIODS) self->kept++;
+    else nck_clock_go_on(self);
 }
 
 // The speed that an axis may have on the way, where the path's is v now: it grows by A.

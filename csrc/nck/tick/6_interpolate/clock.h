@@ -24,6 +24,7 @@ typedef struct nck_clock {
     uint16_t feels;           // for so many periods more: braking, the last corner; setting off,
                               // what came to rest before
     uint8_t follows;          // … 1: the plan, which is slower
+    uint8_t kept;             // standing: for so many periods, by a plan that is made
     double late;              // [s]
     union {
         double v;             // braking: of the path [path mm/s]
@@ -74,6 +75,10 @@ void nck_clock_follow(nck_clock_t *self, double v, double a);
 
 // Begin to set off. Cost: constant. Context: tick.
 void nck_clock_go_on(nck_clock_t *self);
+
+// Nobody asks for rest: a clock that stands goes on; if it is kept, since a plan is made, behind
+// 250 periods of that at the latest. Cost: constant. Context: tick.
+void nck_clock_leave(nck_clock_t *self, uint32_t kept);
 
 // One period of setting off, where the plan has the speed v [path mm/s]. Returns how far φ goes on
 // [s]. Cost: linear in the axes. Context: tick.

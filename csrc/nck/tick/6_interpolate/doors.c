@@ -10,13 +10,18 @@ int nck_interpolate_stands(const nck_interpolate_t *self) {
     return nck_fence_load(&self->stands) != 0;
 }
 
+void nck_interpolate_keep(nck_interpolate_t *self, uint32_t on) {
+    nck_fence_store(&self->kept, on);
+}
+
 uint32_t nck_interpolate_clock(const nck_interpolate_t *self) {
     if (!nck_fence_load(&self->has_cell)) return NCK_CLOCK_RUNS;
     return nck_fence_load(&self->clock.state);
 }
 
 int nck_interpolate_is_waiting(const nck_interpolate_t *self) {
-    return nck_fence_load(&self->waits) && !nck_fence_load(&self->resume);
+    if (!nck_fence_load(&self->waits)) return 0;
+    return !nck_fence_load(&self->resume) || nck_fence_load(&self->awaits);
 }
 
 int nck_interpolate_is_at_rest(const nck_interpolate_t *self) {
@@ -53,6 +58,11 @@ void nck_interpolate_stop(nck_interpolate_t *self, nck_halt_t *halt) {
 }
 
 void nck_interpolate_resume(nck_interpolate_t *self) { nck_fence_store(&self->resume, 1); }
+
+void nck_interpolate_await(nck_interpolate_t *self, uint32_t on) {
+    nck_fence_store(&self->awaits, on);
+    if (!on) nck_interpolate_resume(self);
+}
 
 // Up to 2⁵² periods the quotient is never too large by one, however it is rounded.
 uint64_t nck_interpolate_periods(double t, double period) {

@@ -256,6 +256,7 @@ static int yields(nck_interpolate_t *self, uint32_t owner) {
     self->rests = 1;
     self->halt = NULL;
     nck_fence_store(&self->waits, 0);
+    nck_fence_store(&self->awaits, 0);
     nck_fence_store(&self->sync.asked, 0);
     nck_fence_store(&self->sync.lost, 0);
     nck_link_yield(self->link);
@@ -284,10 +285,12 @@ static const nck_pose_t *run_dry(nck_interpolate_t *self) {
     return rest(self);
 }
 
-// At a WAIT until somebody resumes. Outputs behind it wait, too.
+// At a WAIT until somebody resumes, or what it is for is there. Outputs behind it wait, too.
 static int waits_on(nck_interpolate_t *self) {
     if (!self->waits) return 0;
-    if (!nck_fence_load(&self->resume)) return 1;
+    const int awaits = nck_fence_load(&self->awaits) != 0;
+    if (awaits && self->pose.state == NCK_TICK_WAIT) self->pose.state = NCK_TICK_DWELL;
+    if (nck_interpolate_is_waiting(self)) return 1;
     nck_link_seg_finish(self->link, self->pose.seg + 1);
     nck_fence_store(&self->resume, 0);
     nck_fence_store(&self->waits, 0);
@@ -350,7 +353,7 @@ static void hear(nck_interpolate_t *self) {
     case NCK_GOES_BY_LENGTH: find_place(self, &here); nck_clock_begin(clock, here.v, here.a); break;
     default: break;
     }
-    if (!self->brakes && clock->state == NCK_CLOCK_STANDS) nck_clock_go_on(clock);
+    if (slows && !self->brakes) nck_clock_leave(clock, nck_fence_load(&self->kept));
 }
 
 // So far along the plan, as long as a period at most: it is never overtaken. 0: the path rests.

@@ -30,6 +30,7 @@ typedef struct nck_interpolate {
     uint32_t rests;         // 1: the last cell came to rest and the tick has landed
     uint32_t waits;         // 1: until resume; any reads it
     uint32_t resume;        // any context asks to go on
+    uint32_t awaits;        // 1: … which counts once this is 0; any writes it
     nck_filter_t filter;
     nck_rider_t rider;
     nck_sync_t sync;      // the spindle, and the pass of a thread in work
@@ -37,6 +38,7 @@ typedef struct nck_interpolate {
     nck_watch_t watch;      // over prep
     uint32_t brakes;        // as what a tick is told that has to brake, an nck_tick_state_t; 0: not
     uint32_t stands;        // 1: it has, and rests; any reads it
+    uint32_t kept;          // 1: its clock, if it stands, waits for a plan; prep says so
     nck_halt_t *halt;       // of the axes beside the path, in work or at its rest; NULL: none
     uint64_t k;             // periods since time began to count
     double t_cell;          // when the cell begins [s]
@@ -79,6 +81,10 @@ void nck_interpolate_stop(nck_interpolate_t *self, nck_halt_t *halt);
 // and a rest end as they would. Cost: constant. Context: tick.
 void nck_interpolate_watch(nck_interpolate_t *self, int asks, int planned, uint32_t steps);
 
+// 1: an answer to the operator is made while the clock stands, which waits for it, 250 periods at
+// most; 0: there is none. Cost: constant. Context: prep.
+void nck_interpolate_keep(nck_interpolate_t *self, uint32_t on);
+
 // What the clock does, an nck_clock_state_t; it runs where there is no plan. Cost: constant.
 // Context: any.
 uint32_t nck_interpolate_clock(const nck_interpolate_t *self);
@@ -98,6 +104,10 @@ int nck_interpolate_is_at_rest(const nck_interpolate_t *self);
 
 // Go on after a WAIT. Cost: constant. Context: any.
 void nck_interpolate_resume(nck_interpolate_t *self);
+
+// 1: what a WAIT is for is not there yet, whoever asks to go on; 0: it is. Cost: constant. Context:
+// any.
+void nck_interpolate_await(nck_interpolate_t *self, uint32_t on);
 
 // Periods from a rest to the landing after the time t: the smallest k ≥ 1 with k·T ≥ t, in the
 // arithmetic of the tick. A filter adds its taps less one, if the path moved.

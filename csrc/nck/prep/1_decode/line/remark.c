@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Remarks that LinuxCNC does not pass over: one in another one, and the last one of a line if it
-// says (abort, …).
+// says (abort, …), or something to the operator: that is a program, too.
 #include "nck/prep/1_decode/line/line.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail_at nck_decode_find
 #include "nck/prep/1_decode/macro/macro.h" // nck_decode_spells
@@ -14,9 +14,10 @@ static int is_o_word(const char *at) {
     return (*at & ~0x20) == 'O';
 }
 
-static int aborts(const char *remark) {
+// What a remark begins with, NULL: not with this.
+static const char *behind(const char *remark, const char *word) {
     do remark++; while (*remark == ' ' || *remark == '\t');
-    return nck_decode_spells(remark, "ABORT,") != NULL;
+    return nck_decode_spells(remark, word);
 }
 
 // The last remark of a line, NULL: it has none. NCK_E_COMMENT.
@@ -41,7 +42,11 @@ nck_status_t nck_decode_remarks(nck_decode_t *self, const char *first) {
     if (memchr(first, '(', size) == NULL) return NCK_OK; // nobody's plain lines pay for it
     const nck_status_t status = find_last(self, first, &last);
     if (status != NCK_OK) return status;
-    if (last == NULL || !aborts(last) || is_o_word(first)) return NCK_OK;
+    if (last == NULL || is_o_word(first)) return NCK_OK;
+    if (behind(last, "MSG,") || behind(last, "PRINT,") || behind(last, "DEBUG,")) {
+        self->text.words = 1;
+    }
+    if (!behind(last, "ABORT,")) return NCK_OK;
     const unsigned column = (unsigned)(last - self->line.text) + 1;
     const nck_diagnostic_t told = {NCK_NOTE_ABORT, self->line.tag, column, '(', 0.0, 0.0};
     nck_decode_find(self, &told);

@@ -246,6 +246,7 @@ nck_status_t nck_decode_resolve(nck_decode_t *self) {
     const int own = has(&self->words, NCK_STEP_OWN);
     if (own && self->words.code[NCK_STEP_OWN] >= NCK_CODE_OWN_G) return resolve_own(self);
     if (self->machine->dialect.base == NCK_DIALECT_MARLIN) return resolve_printer(self);
-    const nck_status_t polar = self->words.polars != 0 ? nck_polar_resolve(self) : NCK_OK;
-    return polar == NCK_OK ? resolve_words(self) : polar;
+    nck_status_t status = self->lathe ? nck_slant_plain(self) : NCK_OK;
+    if (status == NCK_OK && self->words.polars != 0) status = nck_polar_resolve(self);
+    return status == NCK_OK ? resolve_words(self) : status;
 }

@@ -83,6 +83,9 @@ nck_status_t nck_decode_o_word(nck_decode_t *self, const char **at);
 // parameters.
 nck_status_t nck_parameter_set_probe(nck_decode_t *self, int touched);
 
+// M66 has found that: #5399. NCK_E_VARIABLES. Cost: linear in the parameters.
+nck_status_t nck_parameter_set_answer(nck_decode_t *self, double value);
+
 // ---- sign.c
 
 // One past blanks and remarks; one past the word (upper case) if the text spells it, in either

@@ -19,7 +19,8 @@ enum {
     LAST_OF_GROUP = 30,        // G3, in tenths
     CLOCK = 3001, BLOCKS = 3003, OPERATING = 3004, // Fanuc: clocks, what the operator may do
     SHOWN = 5599, // LinuxCNC: whether (DEBUG, …) is shown
-    PROBED = 5061, PROBE_TOUCHED = 5070 // where a probe has ended; did it meet anything?
+    PROBED = 5061, PROBE_TOUCHED = 5070, // where a probe has ended; did it meet anything?
+    ANSWERED = 5399                      // what M66 has found
 };
 
 // What may be asked for.
@@ -245,6 +246,11 @@ nck_status_t nck_parameter_set_probe(nck_decode_t *self, int touched) {
     }
     if (fanuc) return status; // which does not tell whether something was met
     return status == NCK_OK ? nck_variable_set(self, PROBE_TOUCHED, touched) : status;
+}
+
+nck_status_t nck_parameter_set_answer(nck_decode_t *self, double value) {
+    if (!NCK_HAS_VARIABLES) return NCK_OK;
+    return nck_variable_set(self, ANSWERED, value);
 }
 
 nck_status_t nck_parameter_set_work(nck_decode_t *self, uint32_t number, double value) {

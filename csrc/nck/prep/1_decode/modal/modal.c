@@ -28,6 +28,7 @@ nck_status_t nck_decode_units(nck_decode_t *self, nck_block_t *out) {
     if (inch != self->modal.inch && nck_has_word(self, 'F') && !inverse) {
         nck_decode_assume(self, NCK_NOTE_FEED_UNITS);
     }
+    self->modal.inch_before = self->modal.inch;
     self->modal.inch = inch;
     self->finding.given |= 1u << NCK_NOTE_UNITS;
     nck_decode_scale(self);
@@ -64,9 +65,17 @@ static double least_feed(const nck_decode_t *self) {
     return self->modal.feed_mode == NCK_FEED_PER_MINUTE ? 60.0 * speed.low : 0.0;
 }
 
+// mm in the unit of F. RS274NGC sets the feed before the units; others read it in its line's.
+static double feed_unit_mm(const nck_decode_t *self) {
+    const int changes = (self->words.codes & NCK_STEP(NCK_STEP_UNITS)) != 0;
+    if (self->modal.feed_mode == NCK_FEED_INVERSE) return 1.0;
+    if (!changes || self->tongue != NCK_TONGUE_LINUXCNC) return nck_unit_mm(self);
+    return self->modal.inch_before ? 25.4 : 1.0;
+}
+
 nck_status_t nck_decode_feed(nck_decode_t *self, nck_block_t *out) {
     const double value = nck_word_real(self, 'F');
-    const double unit = self->modal.feed_mode == NCK_FEED_INVERSE ? 1.0 : nck_unit_mm(self);
+    const double unit = feed_unit_mm(self);
     const double feed = value * unit;
     (void)out;
     if (self->lathe && self->machine->dialect.feed == NCK_FEED_START_OPEN) {
@@ -187,6 +196,8 @@ nck_status_t nck_decode_dwell_word(nck_decode_t *self, char letter, double *dwel
 nck_status_t nck_decode_dwell(nck_decode_t *self, nck_block_t *out) {
     const char letter = dwell_letter(self);
     double dwell_s = 0.0;
+    const int waits = self->tongue == NCK_TONGUE_MARLIN; // until all that is before it is done
+    if (letter == 0 && waits) return nck_decode_give_dwell(self, 0.0, out);
     if (letter == 0) {
         return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_DWELL, 'P', 0.0, 0.0);
     }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // ,R and ,C: a move is held until the next one is known; then it ends earlier, the corner's piece
-// follows, and the next move begins later. The next line's motion is decoded before its outputs, so
+// follows, and the next move begins later. A line of which ,A alone is said ends where it meets the
+// next one. The next line's motion is decoded before its outputs, so
 // that these stand between the corner and the move of their own line.
-#include "nck/prep/1_decode/motion/motion.h"
+#include "nck/prep/1_decode/motion/parts.h"
 #include "nck/prep/1_decode/motion/fillet.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_block nck_decode_fail nck_decode_leave
 #include "nck/prep/1_decode/number/number.h" // nck_decode_as_word nck_decode_counts_of …
 #include "nck/prep/1_decode/place/place.h" // nck_layout_way
 #include "nck/base/arc_math.h" // nck_arc_norm
-#include "nck/base/real.h" // nck_fabs nck_mm_of nck_nm_of
+#include "nck/base/real.h" // nck_fabs nck_mm_of nck_nm_of nck_sincos
 
 #include <string.h> // memcpy
 
@@ -45,10 +46,35 @@ void nck_corner_keep(nck_decode_t *self, char letter, unsigned column,
     word->column = (uint16_t)column;
     word->letter = letter;
     word->is_old = (uint8_t)is_old;
+    word->is_open = 0;
     self->held.contour.mode |= NCK_CONTOUR_CORNER;
     self->text.words = 1; // the line is no empty one
     if (self->held.corner.phase != NCK_CORNER_NOT) return;
     memcpy(self->held.corner.from_nm, self->place.position_nm, sizeof self->place.position_nm);
+}
+
+void nck_corner_open(nck_decode_t *self, unsigned column, double angle) {
+    const nck_number_t none = {0};
+    nck_corner_t *const corner = &self->held.corner;
+    if (corner->word.letter == 0) nck_corner_keep(self, 'A', column, &none, 0);
+    corner->word.is_open = 1;
+    corner->slant[0] = angle;
+}
+
+int nck_corner_is_open(const nck_decode_t *self) {
+    const nck_corner_t *const corner = &self->held.corner;
+    return NCK_HAS_CYCLES && corner->phase == NCK_CORNER_WAITS && corner->is_open != 0;
+}
+
+int nck_corner_excuses(nck_decode_t *self) {
+    const int excuses = self->held.corner.is_missed;
+    self->held.corner.is_missed = 0;
+    return excuses;
+}
+
+void nck_corner_close(nck_decode_t *self, double angle) {
+    self->held.corner.slant[1] = angle;
+    self->held.corner.is_open = 2;
 }
 
 int nck_corner_speaks(const nck_decode_t *self) {
@@ -186,22 +212,83 @@ static void make_piece(nck_corner_t *corner, const nck_cut_t *cut, const int64_t
     if (rounds) bend(piece, from_nm);
 }
 
+// An open move ends where both lines meet; 0: they do not, or lie within a degree of each other,
+// or meet too far off.
+static int meet(nck_corner_t *corner) {
+    static const double least = 0.01745; // sine of the angle between them
+    static const double most = NCK_LINEAR_MAX_MM;
+    nck_block_t *const held = &corner->held;
+    int64_t end_nm[NCK_AXIS_MAX];
+    double a[2], b[2], way[2];
+    unsigned axes[2];
+    choose_plane(held, axes);
+    end_of(&corner->next, end_nm);
+    nck_sincos(corner->slant[0], &a[1], &a[0]);
+    nck_sincos(corner->slant[1], &b[1], &b[0]);
+    for (unsigned k = 0; k < 2; k++) way[k] = nck_mm_of(end_nm[axes[k]] - corner->from_nm[axes[k]]);
+    const double cross = a[0] * b[1] - a[1] * b[0];
+    if (!(nck_fabs(cross) >= least)) return 0;
+    const double along = (way[0] * b[1] - way[1] * b[0]) / cross;
+    if (!(nck_fabs(along) <= most)) return 0;
+    for (unsigned k = 0; k < 2; k++) {
+        held->target_nm[axes[k]] += nck_nm_of(along * a[k]);
+    }
+    return corner->next.kind == NCK_BLOCK_LINE && corner->next.plane == held->plane;
+}
+
+// The travel of an open move's end.
+static nck_status_t check_end(nck_decode_t *self, const int64_t *end_nm) {
+    nck_status_t status = NCK_OK;
+    for (unsigned axis = 0; axis < 3 && status == NCK_OK; axis++) {
+        status = nck_decode_travel(self, axis, end_nm[axis]);
+    }
+    return status;
+}
+
+// The first move goes out; there is nothing between both.
+static nck_status_t part(nck_decode_t *self, const int64_t *corner_nm, nck_block_t *out) {
+    nck_corner_t *const corner = &self->held.corner;
+    *out = corner->held;
+    memcpy(corner->end_nm, self->place.position_nm, sizeof corner->end_nm);
+    memcpy(corner->from_nm, corner_nm, sizeof corner->from_nm);
+    memcpy(self->place.position_nm, corner_nm, sizeof corner->from_nm);
+    corner->phase = NCK_CORNER_ENDS;
+    self->words.steps |= corner->later & LATER;
+    return NCK_OK;
+}
+
+// Where both moves meet, and how they do.
+static nck_status_t find_edges(nck_decode_t *self, int64_t *corner_nm, nck_edge_t *edges) {
+    nck_corner_t *const corner = &self->held.corner;
+    const int misses = corner->is_open == 1 || (corner->is_open && !meet(corner));
+    if (misses) return fail(self, corner->size);
+    end_of(&corner->held, corner_nm);
+    const nck_status_t status = corner->is_open ? check_end(self, corner_nm) : NCK_OK;
+    if (status != NCK_OK) return status;
+    const int before = make_edge(&corner->held, corner->from_nm, corner_nm, &edges[0]);
+    const int behind = make_edge(&corner->next, corner_nm, corner_nm, &edges[1]);
+    return before && behind ? NCK_OK : fail(self, corner->size);
+}
+
+static int cut_off(const nck_corner_t *corner, const nck_edge_t *edges, nck_cut_t *cut_out) {
+    const double size = nck_fabs(corner->size);
+    if (!is_sign_good(corner, edges)) return 0;
+    return corner->letter == 'R' ? nck_fillet(edges, size, cut_out)
+                                 : nck_chamfer(edges, size, cut_out);
+}
+
 // Both moves are known: the first one goes out, shorter.
 static nck_status_t join(nck_decode_t *self, nck_block_t *out) {
     nck_corner_t *const corner = &self->held.corner;
     nck_block_t *const held = &corner->held;
-    const double size = nck_fabs(corner->size);
     int64_t corner_nm[NCK_AXIS_MAX], place_nm[2][NCK_AXIS_MAX];
     nck_edge_t edges[2];
     nck_cut_t cut;
     unsigned axes[2];
-    end_of(held, corner_nm);
-    const int before = make_edge(held, corner->from_nm, corner_nm, &edges[0]);
-    const int behind = make_edge(&corner->next, corner_nm, corner_nm, &edges[1]);
-    if (!before || !behind || !is_sign_good(corner, edges)) return fail(self, corner->size);
-    const int fits = corner->letter == 'R' ? nck_fillet(edges, size, &cut)
-                                           : nck_chamfer(edges, size, &cut);
-    if (!fits) return fail(self, corner->size);
+    const nck_status_t status = find_edges(self, corner_nm, edges);
+    if (status != NCK_OK) return status;
+    if (corner->letter == 'A') return part(self, corner_nm, out);
+    if (!cut_off(corner, edges, &cut)) return fail(self, corner->size);
     choose_plane(held, axes);
     for (unsigned k = 0; k < 2; k++) {
         memcpy(place_nm[k], corner_nm, sizeof corner_nm);
@@ -225,7 +312,9 @@ static nck_status_t join(nck_decode_t *self, nck_block_t *out) {
 
 // ---- the lines
 
-static void forget(nck_decode_t *self) {
+static void forget(nck_decode_t *self, int is_error) {
+    if (is_error && self->held.corner.is_open) self->held.corner.is_missed = 1;
+    self->held.corner.is_open = 0;
     self->held.corner.phase = NCK_CORNER_NOT;
     self->held.corner.word.letter = 0;
     self->held.contour.mode &= ~(uint32_t)NCK_CONTOUR_CORNER;
@@ -238,6 +327,7 @@ static void name_word(nck_decode_t *self) {
     corner->column = corner->word.column;
     corner->letter = corner->word.letter;
     corner->is_old = corner->word.is_old;
+    corner->is_open = corner->word.is_open;
     corner->size = nck_number_real(&corner->word.number);
 }
 
@@ -267,10 +357,25 @@ static nck_status_t take_next(nck_decode_t *self, nck_block_t *out) {
     return NCK_OK;
 }
 
+// The size that the word says.
+static nck_status_t measure(nck_decode_t *self) {
+    nck_corner_t *const corner = &self->held.corner;
+    int64_t size_nm = 0;
+    const int whole = nck_decode_fixed(self, &corner->word.number, &self->place.scale[0],
+                                       &size_nm);
+    if (!whole || !nck_within(nck_fabs(nck_mm_of(size_nm)), size_least, size_most)) {
+        return nck_decode_fail(self, NCK_E_NUMBER_RANGE, corner->column, corner->letter,
+                               corner->size,
+                               nck_decode_as_word(&self->place.scale[0], size_most * 1e6)
+                                   * nck_decode_counts_of(self, &corner->word.number));
+    }
+    corner->size = nck_mm_of(size_nm);
+    return NCK_OK;
+}
+
 // A move of a line with a word: the last one of its line is held.
 static nck_status_t hold(nck_decode_t *self, const nck_block_t *block) {
     nck_corner_t *const corner = &self->held.corner;
-    int64_t size_nm = 0;
     double unit[2] = {1.0, 0.0};
     name_word(self);
     const int plain = is_plain(self, block) && self->macro.modal == 0
@@ -281,15 +386,8 @@ static nck_status_t hold(nck_decode_t *self, const nck_block_t *block) {
         return nck_decode_fail(self, NCK_E_LAYOUT_ON, corner->column, corner->letter,
                                corner->size, 0.0);
     }
-    const int whole = nck_decode_fixed(self, &corner->word.number, &self->place.scale[0],
-                                       &size_nm);
-    if (!whole || !nck_within(nck_fabs(nck_mm_of(size_nm)), size_least, size_most)) {
-        return nck_decode_fail(self, NCK_E_NUMBER_RANGE, corner->column, corner->letter,
-                               corner->size,
-                               nck_decode_as_word(&self->place.scale[0], size_most * 1e6)
-                                   * nck_decode_counts_of(self, &corner->word.number));
-    }
-    corner->size = nck_mm_of(size_nm);
+    const nck_status_t status = corner->letter == 'A' ? NCK_OK : measure(self);
+    if (status != NCK_OK) return status;
     corner->held = *block;
     corner->word.letter = 0;
     corner->phase = NCK_CORNER_WAITS;
@@ -336,7 +434,7 @@ nck_status_t nck_corner_take(nck_decode_t *self, nck_status_t status, nck_block_
     const int says = corner->word.letter != 0;
     if (now == NCK_EMPTY && says && self->words.steps == 0) now = miss(self);
     if (status == NCK_OK && now < NCK_OK) drop_cycle(self);
-    if (now < NCK_OK || (corner->phase == NCK_CORNER_NOT && !says)) forget(self);
+    if (now < NCK_OK || (corner->phase == NCK_CORNER_NOT && !says)) forget(self, now < NCK_OK);
     return now;
 }
 
@@ -366,6 +464,6 @@ nck_status_t nck_corner_next(nck_decode_t *self, nck_block_t *out) {
 nck_status_t nck_corner_missing(nck_decode_t *self) {
     self->text.over = 1;
     if (!NCK_HAS_CYCLES) return NCK_E_UNSUPPORTED;
-    forget(self);
+    forget(self, 1);
     return fail(self, self->held.corner.size);
 }

@@ -75,6 +75,9 @@ void nck_polar_next(nck_decode_t *self);
 
 // ---- slant.c
 
+// On a lathe: A without a comma is ,A if no axis is called so. As nck_slant_keep. Cost: constant.
+nck_status_t nck_slant_plain(nck_decode_t *self);
+
 // Fanuc's ,A: the angle that stands in a column, kept until nck_polar_resolve makes it the word of
 // an axis of the plane. NCK_E_WORD_TWICE, NCK_E_NUMBER_RANGE. Cost: constant.
 nck_status_t nck_slant_keep(nck_decode_t *self, unsigned column, const nck_number_t *number);

@@ -56,11 +56,22 @@ static inline int nck_motion_adds(const nck_decode_t *self) {
     return own ? self->words.code[NCK_STEP_DISTANCE] == 910 : self->modal.incremental;
 }
 
+// ---- corner.c
+
+// A line of which ,A alone is said [rad] ends where it meets the next one; 1: the line that waits
+// is such a one; 1, once: there would be one, but for an error; the angle of the line behind it.
+// Cost: constant.
+void nck_corner_open(nck_decode_t *self, unsigned column, double angle);
+int nck_corner_is_open(const nck_decode_t *self);
+int nck_corner_excuses(nck_decode_t *self);
+void nck_corner_close(nck_decode_t *self, double angle);
+
 // ---- slant.c
 
-// The angle of ,A and the axis that is said become the word of the other axis of the plane.
-// NCK_E_WORD_UNUSED, NCK_E_INCREMENTAL, NCK_E_LAYOUT_ON, NCK_E_WORD_SHARED, NCK_E_UNSUPPORTED (no
-// axis is said), NCK_E_NUMBER_RANGE. Cost: constant.
+// The angle of ,A and the axis that is said become the word of the other axis of the plane; without
+// an axis the next line says where this one ends.
+// NCK_E_WORD_UNUSED, NCK_E_INCREMENTAL, NCK_E_LAYOUT_ON, NCK_E_WORD_SHARED, NCK_E_UNSUPPORTED (the
+// line before has an angle alone, and not both axes are said), NCK_E_NUMBER_RANGE. Cost: constant.
 nck_status_t nck_slant_resolve(nck_decode_t *self);
 
 #endif

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Fanuc's ,A: the angle of a line in its plane, from the plane's first axis [deg]. One axis of the
-// plane is said, and what the other one would be becomes its word.
+// plane is said, and what the other one would be becomes its word. Or none is: then the line ends
+// where the next one begins, of which the angle and both axes of its end are said.
 #include "nck/prep/1_decode/motion/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail
 #include "nck/prep/1_decode/number/number.h" // nck_decode_axis_word nck_decode_write …
+#include "nck/prep/1_decode/tongue/tongue.h" // nck_lathe_is_a nck_lathe_steps
 #include "nck/prep/1_decode/place/place.h" // nck_plane_axes
 #include "nck/base/real.h" // nck_fabs nck_sincos nck_rounded
+
+enum { AXIS_A = 3 };
 
 static const double degree = 3.14159265358979323846 / 180.0;
 static const double angle_most = 360.0;
@@ -31,6 +35,18 @@ static int is_line(const nck_decode_t *self) {
     const nck_words_t *const words = &self->words;
     const int says = (words->codes & NCK_STEP(NCK_STEP_MOTION)) != 0;
     return (says ? words->code[NCK_STEP_MOTION] : self->modal.motion) == 10;
+}
+
+nck_status_t nck_slant_plain(nck_decode_t *self) {
+    nck_words_t *const words = &self->words;
+    const uint32_t others = ~(NCK_STEP(NCK_STEP_MOTION) | NCK_STEP(NCK_STEP_FEED_MODE)
+                              | NCK_STEP(NCK_STEP_DISTANCE) | NCK_STEP(NCK_STEP_EXACT));
+    const int is_axis = (self->place.axes >> AXIS_A & 1u) != 0;
+    const int says = (words->letters & NCK_LETTER('A')) != 0 && words->polars == 0;
+    if (!NCK_HAS_LAYOUTS || !says || is_axis) return NCK_OK;
+    if (!is_line(self) || (words->codes & others) != 0) return NCK_OK;
+    words->letters &= ~NCK_LETTER('A');
+    return nck_slant_keep(self, words->column[0], &words->number[0]);
 }
 
 static int is_said(const nck_decode_t *self, unsigned axis) {
@@ -63,15 +79,55 @@ static nck_status_t write_other(nck_decode_t *self, unsigned said, unsigned othe
     return NCK_OK;
 }
 
-nck_status_t nck_slant_resolve(nck_decode_t *self) {
-    unsigned axes[2];
-    nck_plane_axes(self, &axes[0], &axes[1]);
-    const int first = is_said(self, axes[0]);
-    const int second = is_said(self, axes[1]);
+// No axis is said: the line goes nowhere yet, and is held until the next one is known.
+static nck_status_t leave_open(nck_decode_t *self, unsigned axis) {
+    nck_words_t *const words = &self->words;
+    const unsigned place = (unsigned)(nck_decode_letter(axis) - 'A');
+    const int64_t here_nm = self->place.position_nm[axis] - self->place.origin_nm[axis];
+    nck_decode_write(self, axis, nck_motion_adds(self) ? 0 : here_nm, &words->number[place]);
+    words->column[place] = words->polar_column;
+    words->letters |= NCK_LETTER(nck_decode_letter(axis));
+    nck_corner_open(self, words->polar_column, words->polar_step[1] * degree);
+    return NCK_OK;
+}
+
+// The line before is open: this one says by its angle where it begins.
+static nck_status_t close(nck_decode_t *self, int both, int steps) {
+    if (!both) return fail(self, NCK_E_UNSUPPORTED, 0.0, 0.0);
+    if (steps || nck_motion_adds(self)) return fail(self, NCK_E_INCREMENTAL, 0.0, 0.0);
+    nck_corner_close(self, self->words.polar_step[1] * degree);
+    return NCK_OK;
+}
+
+// U, V and W of lathes become X, Y and Z. Returns 1 if there are any.
+static int has_steps(nck_decode_t *self, nck_status_t *status_out) {
+    const uint32_t own = NCK_LETTER('U') | NCK_LETTER('V') | NCK_LETTER('W');
+    const uint32_t steps = nck_lathe_is_a(self) ? self->words.letters & own : 0;
+    const nck_status_t status = steps != 0 ? nck_lathe_steps(self, steps) : NCK_OK;
+    *status_out = status < NCK_OK ? status : NCK_OK;
+    return steps != 0;
+}
+
+// What cannot stand beside the angle.
+static nck_status_t check(nck_decode_t *self) {
     if (!is_line(self)) return fail(self, NCK_E_WORD_UNUSED, 0.0, 0.0);
     if (self->words.codes & NCK_MOVES_ZERO) return fail(self, NCK_E_INCREMENTAL, 0.0, 0.0);
-    if (self->layout.on != 0) return fail(self, NCK_E_LAYOUT_ON, 0.0, 0.0);
-    if (first && second) return fail(self, NCK_E_WORD_SHARED, 0.0, 0.0);
-    if (!first && !second) return fail(self, NCK_E_UNSUPPORTED, 0.0, 0.0);
+    return self->layout.on != 0 ? fail(self, NCK_E_LAYOUT_ON, 0.0, 0.0) : NCK_OK;
+}
+
+nck_status_t nck_slant_resolve(nck_decode_t *self) {
+    unsigned axes[2];
+    nck_status_t status = check(self);
+    if (status != NCK_OK) return status;
+    nck_plane_axes(self, &axes[0], &axes[1]);
+    const int steps = has_steps(self, &status);
+    if (status != NCK_OK) return status;
+    const int first = is_said(self, axes[0]);
+    const int second = is_said(self, axes[1]);
+    if (nck_corner_is_open(self)) return close(self, first && second, steps);
+    if (first && second) {
+        return nck_corner_excuses(self) ? NCK_OK : fail(self, NCK_E_WORD_SHARED, 0.0, 0.0);
+    }
+    if (!first && !second) return leave_open(self, axes[0]);
     return write_other(self, axes[first ? 0 : 1], axes[first ? 1 : 0], first);
 }

@@ -59,7 +59,10 @@ static nck_status_t read_tool(nck_decode_t *self, double *radius_out, int64_t *n
     nck_tool_t tool = {0};
     const nck_status_t status = read_whole(self, letter, NCK_DECODE_VALUE_MAX, &number);
     if (status != NCK_OK) return status;
-    if (number != 0 && !nck_table_find(self, (uint32_t)number, &tool)) {
+    const int has_none = number != 0 && !nck_table_find(self, (uint32_t)number, &tool);
+    if (has_none && self->machine->tool_count == 0) {
+        nck_decode_note_word(self, NCK_NOTE_LENGTH, letter, (double)number);
+    } else if (has_none) {
         return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, letter, (double)number, 0.0);
     }
     const int keeps = nck_is_fanuc(self)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Corners that ,R rounds and ,C cuts off: a move waits until the one behind it is known.
+// Corners that ,R rounds, ,C cuts off, and angles alone say: a move waits until the one behind it
+// is known.
 #ifndef NCK_PREP_DECODE_STATE_CORNER_H
 #define NCK_PREP_DECODE_STATE_CORNER_H
 
@@ -19,7 +20,8 @@ typedef enum nck_corner_phase {
 typedef struct nck_corner_word {
     nck_number_t number;
     uint16_t column;
-    char letter;    // R or C, of lathes I or K too; 0: the line has none
+    char letter;    // R or C, of lathes I or K too, A: ,A alone; 0: the line has none
+    uint8_t is_open; // 1: the line has ,A alone
     uint8_t is_old; // 1: without a comma: its sign says which way the next move goes
 } nck_corner_word_t;
 
@@ -30,11 +32,14 @@ typedef NCK_CYCLE_STATE nck_corner {
     int64_t from_nm[NCK_AXIS_MAX]; // where the latest move begins, machine position
     int64_t end_nm[NCK_AXIS_MAX];  // where `next` ends, machine position
     double size;             // [mm], signed if is_old
+    double slant[2];         // of `held`, if that is open, and of `next` [rad]
     uint32_t later;          // steps of the line that follow the corner
     uint32_t line;           // of the word, as findings call it
     uint16_t column;
     char letter;
     uint8_t is_old;
+    uint8_t is_open;         // 1: `held` has an angle alone, 2: and `next` has said where it ends
+    uint8_t is_missed;       // 1: an error has taken it: the line behind it may say too much
     uint8_t phase;           // nck_corner_phase_t
 } nck_corner_t;
 

@@ -15,6 +15,7 @@ typedef struct nck_modes {
     int32_t motion;         // G0 … G3 or a canned cycle in tenths; nck_no_motion_t
     uint8_t plane;          // 17, 18, 19
     uint8_t inch;           // 1: G20
+    uint8_t inch_before;    // of a line with G20 or G21: what was in force before it
     uint8_t diameter;       // 1: G7
     uint8_t incremental;    // 1: G91
     uint8_t centre_absolute;// 1: G90.1

@@ -66,9 +66,16 @@ void nck_decode_block(const nck_decode_t *self, nck_block_kind_t kind, nck_block
     out->output.line = self->line.tag;
 }
 
+// The spindle is to turn, or to turn at another speed.
+static int changes_speed(const nck_decode_t *self, nck_output_kind_t kind, double value) {
+    if (kind == NCK_OUTPUT_SPINDLE_SPEED) return self->modal.spindle_on;
+    return kind == NCK_OUTPUT_M && (value == 3.0 || value == 4.0);
+}
+
 nck_status_t nck_decode_give_output(const nck_decode_t *self, nck_block_kind_t block,
                                     nck_output_kind_t kind, double value, nck_block_t *out) {
-    nck_decode_block(self, block, out);
+    const int waits = self->machine->spindle_waits && changes_speed(self, kind, value);
+    nck_decode_block(self, waits ? NCK_BLOCK_WAIT : block, out);
     out->output.kind = kind;
     out->output.value = value;
     return NCK_OK;

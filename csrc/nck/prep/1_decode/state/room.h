@@ -76,6 +76,18 @@ typedef enum nck_entry {
     NCK_ENTRY_REACHED = 3 // the line is there
 } nck_entry_t;
 
+// What a program has put out and what stays so: digital outputs, analogue ones, a printer's
+// settings, in this order.
+enum { NCK_KEPT_DIGITAL = 64, NCK_KEPT_ANALOGUE = 16, NCK_KEPT_SETTINGS = 6, NCK_KEPT = 86 };
+
+// What it is.
+typedef struct nck_kept {
+    double value[NCK_KEPT_ANALOGUE + NCK_KEPT_SETTINGS]; // of all but digital ones
+    uint32_t told[3];              // bit k: it has been put out
+    uint32_t on[2];                // bit k: the digital output is on
+    uint32_t waits;                // bit k: the program has waited for the setting
+} nck_kept_t;
+
 // Bits of modal.excused.
 enum { NCK_EXCUSED_FEED = 1, NCK_EXCUSED_SPEED = 2 };
 
@@ -133,6 +145,7 @@ typedef struct nck_decode {
 
     struct {
         int64_t at_nm[NCK_AXIS_MAX]; // where the last move before it ends, machine position
+        NCK_KEPT_MEMBER(nck_kept_t, kept) // what has been put out before it
         uint32_t tool_in;  // before the program
         uint8_t waits;     // nck_entry_t
         uint8_t phase;     // of what is given there, entry.c

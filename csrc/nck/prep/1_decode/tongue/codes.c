@@ -118,6 +118,7 @@ static const code_t g_codes[] = {
     {F | T | 51, NCK_STEP_PATH, LEVEL}, {F | T | 80, NCK_STEP_PATH, COUNT},
     {F | T | 611, NCK_STEP_PATH, NONE}, {F | T | 620, NCK_STEP_PATH, NONE},
     {F | T | 630, NCK_STEP_PATH, NONE}, {F | T | 1870, NCK_STEP_PATH, ROUGHNESS},
+    {F | T | 1030, NCK_STEP_PATH, COUNT},
     {F | T | 109, NCK_STEP_PATH, NONE},
     {L | T | G | P | 800, NCK_STEP_MOTION, NONE}, {F | 800, NCK_STEP_MOTION, AXES},
     {ALL | 530, NCK_STEP_MACHINE, NONE}, {L | F | T | G | 400, NCK_STEP_RADIUS_COMP, NONE},

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Codes that choose how a control smooths or looks ahead: Fanuc's G5 G5.1 G8, Haas' G187, G61.1
-// G62 G63. The machine's file says what they mean here; what it does not say is noted. And G codes
-// that no language but the machine's file has.
+// Codes that choose how a control smooths or looks ahead: Fanuc's G5 G5.1 G8, Haas' G103 G187,
+// G61.1 G62 G63. The machine's file says what they mean here; what it does not say is noted. And
+// G codes that no language but the machine's file has.
 #include "nck/prep/1_decode/tongue/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail_step nck_decode_fail_word …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_length_word nck_decode_letter …
 
 #include <stddef.h> // NULL
 
-enum { G5 = 50, G5_1 = 51, G8 = 80, G10_9 = 109, G61_1 = 611, G187 = 1870 };
+enum { G5 = 50, G5_1 = 51, G8 = 80, G10_9 = 109, G61_1 = 611, G64 = 640, G187 = 1870 };
 
 // 1 if the entry's word stands in the line.
 static int is_said(const nck_decode_t *self, const nck_own_g_t *own) {
@@ -90,7 +90,7 @@ static nck_status_t join_group(nck_decode_t *self, uint32_t tenths) {
     return NCK_EMPTY;
 }
 
-// G5 G5.1 G8 G187.
+// G5 G5.1 G8 G103 G187.
 static nck_status_t choose(nck_decode_t *self, uint32_t tenths) {
     const int letter = word_of(tenths);
     int64_t value = 0;
@@ -110,7 +110,7 @@ static nck_status_t choose(nck_decode_t *self, uint32_t tenths) {
 nck_status_t nck_decode_mode(nck_decode_t *self) {
     if (!NCK_HAS_FOREIGN) return nck_decode_fail_code(self, NCK_E_UNSUPPORTED, NCK_STEP_PATH);
     const uint32_t tenths = self->words.code[NCK_STEP_PATH];
-    if (tenths >= G61_1 && tenths != G187) return join_group(self, tenths);
+    if (tenths >= G61_1 && tenths < G64) return join_group(self, tenths);
     const nck_status_t status = refuse_axes(self);
     if (status != NCK_OK) return status;
     return tenths == G10_9 ? NCK_EMPTY : choose(self, tenths); // G10.9 names no axis to switch

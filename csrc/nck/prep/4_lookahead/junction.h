@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Inside room 4: caps of segs, before any junction or envelope.
+#ifndef NCK_PREP_JUNCTION_H
+#define NCK_PREP_JUNCTION_H
+
+#include "nck/base/budget.h"                // NCK_OVERRIDE_TOP
+#include "nck/base/path.h"                  // nck_path_tangent_part
+#include "nck/base/path_math.h"             // nck_path_slope
+#include "nck/base/real.h"                  // nck_min nck_sqrt
+#include "nck/prep/4_lookahead/lookahead.h" // nck_lookahead_t nck_junction_t
+
+// What a piece of a seg may do when junctions nearby use the share beta of the acceleration.
+typedef struct nck_piece_limit {
+    double vv;      // v² cap at the pace
+    double vv_free; // v² cap by everything but the feed
+    double a;       // tangential acceleration at that pace
+    double j;       // tangential jerk at that pace
+    uint8_t limit;  // nck_limit_t that set vv
+} nck_piece_limit_t;
+
+// The junction with this count. Cost: constant.
+static inline nck_junction_t *nck_junction_at(nck_lookahead_t *self, uint32_t count) {
+    return self->junction.at + (count & (NCK_JUNCTION_MAX - 1));
+}
+
+// The largest tangential acceleration that any seg can have on this machine: √Σ a_x², path a_max at
+// most.
+// Cost: constant.
+double nck_junction_a_any(const nck_machine_t *machine);
+
+// The unit tangents at both ends of a seg, so many components of each, from X on; of a rest: zero.
+// Returns the one at its start: start_out, or end_out where they are the same. Cost: constant.
+static inline const double *nck_junction_tangents(const nck_seg_t *seg, int axes, double *start_out,
+                                                  double *end_out) {
+    const int is_bent = seg->kind == NCK_SEG_ARC || seg->kind == NCK_SEG_SPLINE;
+    if (!(seg->length > 0.0)) {
+        for (int x = 0; x < axes; x++) end_out[x] = 0.0;
+        return end_out;
+    }
+    if (!is_bent) {
+        for (int x = 0; x < axes; x++) end_out[x] = nck_path_slope(seg, x);
+        return end_out;
+    }
+    nck_path_tangent_part(seg, 0.0, axes, start_out);
+    nck_path_tangent_part(seg, seg->length, axes, end_out);
+    return start_out;
+}
+
+// Into how many junctions a spline is worth to be parted. junction: the whole seg's. Cost:
+// constant.
+int nck_junction_parts(const nck_junction_t *junction, const nck_terms_t *terms);
+
+// The least j_x/|p″| of a spline or an arc [mm²/s³]. Cost: constant.
+double nck_junction_bends(const nck_junction_t *junction, const nck_terms_t *terms);
+
+// What a spline's bends leave of the path's acceleration at v². Cost: constant.
+double nck_junction_left(const nck_junction_t *junction, double w, const nck_terms_t *terms);
+
+// Fill in a seg's caps, of a spline those from span[0] to span[1]; the tangents are those at the
+// seg's start and end, of a spline nobody asks for them. Cost: constant.
+void nck_junction_make(nck_junction_t *junction, const nck_seg_t *seg, const double span[2],
+                       const double *tangent_start, const double *tangent_end,
+                    const nck_terms_t *terms);
+
+// nck_junction_settle beyond what all segs have: of splines, and under a jerk limit.
+void nck_junction_settle_more(nck_junction_t *junction, double v_free, double w_in,
+                              const nck_terms_t *terms);
+
+// Speed and limits of a seg at both paces, once w_near is known; it is entered at w_in at most.
+// Cost: constant.
+static inline void nck_junction_settle(nck_junction_t *junction, double w_in,
+                                       const nck_terms_t *terms) {
+    const int bends = junction->kind == NCK_SEG_SPLINE;
+    const double v_free = bends ? nck_sqrt(junction->w_near) : junction->v_free;
+    const double v_over = junction->feed > 0.0 ? NCK_OVERRIDE_TOP * junction->feed : v_free;
+    const double speeds[NCK_PACES] = {nck_min(junction->v_max, v_free), nck_min(v_free, v_over)};
+    if (v_free < junction->v_max) junction->limit = junction->limit_free;
+    for (int k = 0; k < NCK_PACES; k++) {
+        nck_pace_t *const at = &junction->pace[k];
+        at->v = speeds[k];
+        at->a = junction->a_most;
+        at->j = junction->j_straight;
+        at->time = junction->length / at->v;
+    }
+    if (bends || terms->limits_jerk) nck_junction_settle_more(junction, v_free, w_in, terms);
+}
+
+// What the axes leave to a line's acceleration, or to an arc's outside of its plane, under beta.
+// Cost: constant.
+static inline double nck_junction_straight(const nck_junction_t *junction, double beta) {
+    return nck_min(junction->a_most, (1.0 - beta) * junction->shape.arc.a_straight);
+}
+
+// The largest tangential acceleration anywhere on a seg, when its junctions are known: a line's may
+// have come down. Cost: constant.
+static inline double nck_junction_most(const nck_junction_t *junction) {
+    return junction->kind == NCK_SEG_LINE ? nck_junction_straight(junction, 0.0) : junction->a_most;
+}
+
+// nck_junction_piece of arcs and splines: bends cost of the speed and of the acceleration.
+// Cost: constant.
+nck_piece_limit_t nck_junction_curved(const nck_junction_t *junction, double beta, int pace,
+                                      const nck_terms_t *terms);
+
+// Limits in a piece of the settled seg at a pace (NCK_PACE_…), under the share beta.
+// Cost: constant.
+static inline nck_piece_limit_t nck_junction_piece(const nck_junction_t *junction, double beta,
+                                                   int pace, const nck_terms_t *terms) {
+    if (junction->kind != NCK_SEG_LINE) return nck_junction_curved(junction, beta, pace, terms);
+    const nck_pace_t *const at = &junction->pace[pace];
+    const nck_piece_limit_t piece = {at->v * at->v, junction->v_free * junction->v_free,
+                                     nck_junction_straight(junction, beta), at->j, junction->limit};
+    return piece;
+}
+
+// The acceleration of nck_junction_piece alone. Cost: constant.
+static inline double nck_junction_accel(const nck_junction_t *junction, double beta, int pace,
+                                        const nck_terms_t *terms) {
+    if (junction->kind == NCK_SEG_LINE) return nck_junction_straight(junction, beta);
+    return nck_junction_piece(junction, beta, pace, terms).a;
+}
+
+#endif
