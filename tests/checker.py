@@ -187,8 +187,7 @@ class Checker:
         self._axis_limits(poses, joints, block)
         s = rows["pose"]["s"]
         way = np.linalg.norm(np.diff(np.concatenate([self._poses[-1:], poses]), axis=0), axis=1)
-        smoothed = (self.path.tolerance[block] > 0) & (self.path.length[block] > 0)
-        clocked = smoothed & (self._limits.slope == OPTIMAL)
+        clocked = self._is_clocked(block)
         self._along_limits(poses, clocked)
         self._progress(s, poses, np.where(clocked, 0, way), clocked)
         self._feed(s, way, clocked)
@@ -284,9 +283,13 @@ class Checker:
         self._settled = int(age[-1]) + 1
         return smoothed | ((self.path.length[block] > 0) & (age >= SETTLED))
 
+    def _is_clocked(self, block):
+        """Return where the path is clocked: its coordinate is the program's, not its length."""
+        moves = (self.path.tolerance[block] > 0) & (self.path.length[block] > 0)
+        return moves & (self._limits.slope == OPTIMAL)
+
     def _along_limits(self, poses, clocked):
-        """What of acceleration and jerk lies along a path within tolerances under the optimal slope
-        keeps to the path's own limits.
+        """What of acceleration and jerk lies along a clocked path keeps to the path's own limits.
 
         The direction is that of the chord over the same poses: where it turns by the angle φ within
         them, what lies across leaks in by φ²/8 at most. A step is a chord, too, shorter than its

@@ -12,8 +12,10 @@
 #ifndef CHECK_H
 #define CHECK_H
 
-#include <math.h>  // fabs
-#include <stdio.h> // printf
+#include <math.h>   // fabs
+#include <stdint.h> // uint32_t
+#include <stdio.h>  // printf
+#include <stdlib.h> // strtoul
 
 typedef struct check {
     int tests;  // run so far
@@ -72,5 +74,12 @@ static inline int check_end(const check_t *check)
 #define CHECK_NEAR(check, got, want, tolerance) \
     check_near((check), (got), (want), (tolerance), __FILE__, __LINE__)
 #define CHECK_RUN(check, test) check_run((check), (test), #test)
+
+// How many cases a search by seed tries, and from which one on, where the command line says them.
+static inline void check_seeds(int argc, char **argv, uint32_t *count, uint32_t *first)
+{
+    if (argc > 1) *count = (uint32_t)strtoul(argv[1], NULL, 10);
+    if (argc > 2) *first = (uint32_t)strtoul(argv[2], NULL, 10);
+}
 
 #endif

@@ -3,7 +3,6 @@
 // belong to them, and one that does not follow is a fault.
 //
 //     test_drive [COUNT [FIRST]]   so many random programs, from this number on
-#include <stdlib.h> // strtoul
 
 #include "drive/drive.h"
 #include "front_check.h"
@@ -181,8 +180,7 @@ static void numbers_out_of_range_are_refused(check_t *check)
 int main(int argc, char **argv)
 {
     check_t check = {0};
-    if (argc > 1) count = (uint32_t)strtoul(argv[1], NULL, 10);
-    if (argc > 2) first = (uint32_t)strtoul(argv[2], NULL, 10);
+    check_seeds(argc, argv, &count, &first);
     CHECK_RUN(&check, targets_are_the_setpoints_of_a_period_before);
     CHECK_RUN(&check, one_that_stands_still_is_a_fault);
     CHECK_RUN(&check, where_the_axes_are_told_to_stand_moves_nothing);

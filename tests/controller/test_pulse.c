@@ -3,7 +3,6 @@
 // at every time, through holds, overrides and stops; lines keep their times.
 //
 //     test_pulse [COUNT [FIRST]]   so many random machines, from this number on
-#include <stdlib.h> // strtoul
 
 #include "front_check.h"
 #include "pulse/pulse.h"
@@ -278,8 +277,7 @@ static void numbers_out_of_range_are_refused(check_t *check)
 int main(int argc, char **argv)
 {
     check_t check = {0};
-    if (argc > 1) count = (uint32_t)strtoul(argv[1], NULL, 10);
-    if (argc > 2) first = (uint32_t)strtoul(argv[2], NULL, 10);
+    check_seeds(argc, argv, &count, &first);
     CHECK_RUN(&check, steps_are_where_the_setpoints_lead);
     CHECK_RUN(&check, the_fastest_motor_does_not_drift);
     CHECK_RUN(&check, a_place_that_is_told_is_no_way);

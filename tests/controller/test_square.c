@@ -4,7 +4,6 @@
 //
 //     test_square [COUNT [FIRST]]   so many gantries, from this number on
 #include <math.h>   // fabs
-#include <stdlib.h> // strtoul
 #include <string.h> // memset
 
 #include "check.h"
@@ -152,8 +151,7 @@ static void one_that_is_at_its_switch_goes_off_it_first(check_t *check)
 int main(int argc, char **argv)
 {
     check_t check = {0};
-    if (argc > 1) count = (uint32_t)strtoul(argv[1], NULL, 10);
-    if (argc > 2) first = (uint32_t)strtoul(argv[2], NULL, 10);
+    check_seeds(argc, argv, &count, &first);
     CHECK_RUN(&check, both_motors_stand_as_far_from_their_switches);
     CHECK_RUN(&check, a_switch_that_is_not_there_ends_it);
     CHECK_RUN(&check, one_that_is_at_its_switch_goes_off_it_first);

@@ -3,7 +3,6 @@
 // operator does, and M66's answer can be asked for.
 //
 //     test_await [COUNT [FIRST]]   so many random sessions, from this number on
-#include <stdlib.h> // strtoul
 
 #include "front_check.h"
 
@@ -157,8 +156,7 @@ static void an_answer_is_a_session_s(check_t *check)
 int main(int argc, char **argv)
 {
     check_t check = {0};
-    if (argc > 1) count = (uint32_t)strtoul(argv[1], NULL, 10);
-    if (argc > 2) first = (uint32_t)strtoul(argv[2], NULL, 10);
+    check_seeds(argc, argv, &count, &first);
     CHECK_RUN(&check, nothing_moves_before_the_spindle_has_its_speed);
     CHECK_RUN(&check, an_answer_is_a_session_s);
     return check_end(&check);

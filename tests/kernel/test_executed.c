@@ -3,7 +3,6 @@
 // has it that decodes the program up to there and moves nothing.
 //
 //     test_executed [COUNT [FIRST]]   so many random sessions, from this number on
-#include <stdlib.h> // strtoul
 
 #include "front_check.h"
 
@@ -187,8 +186,7 @@ static void a_line_that_is_refused_leaves_nothing_at_the_tool(check_t *check)
 int main(int argc, char **argv)
 {
     check_t check = {0};
-    if (argc > 1) count = (uint32_t)strtoul(argv[1], NULL, 10);
-    if (argc > 2) first = (uint32_t)strtoul(argv[2], NULL, 10);
+    check_seeds(argc, argv, &count, &first);
     CHECK_RUN(&check, a_line_that_is_refused_leaves_nothing_at_the_tool);
     CHECK_RUN(&check, at_the_tool_is_in_force_what_its_line_has_left);
     return check_end(&check);

@@ -4,7 +4,6 @@
 // and the position is never lost.
 //
 //     test_script [COUNT [FIRST]]   so many scripts, from this number on; one alone is told in full
-#include <stdlib.h> // strtoul
 
 #include "motion_check.h"
 
@@ -384,8 +383,7 @@ static void scripts_keep_every_promise(check_t *check)
 int main(int argc, char **argv)
 {
     check_t check = {0};
-    if (argc > 1) count = (uint32_t)strtoul(argv[1], NULL, 10);
-    if (argc > 2) first = (uint32_t)strtoul(argv[2], NULL, 10);
+    check_seeds(argc, argv, &count, &first);
     CHECK_RUN(&check, scripts_keep_every_promise);
     return check_end(&check);
 }

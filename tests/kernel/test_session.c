@@ -3,7 +3,6 @@
 // be told to stand elsewhere.
 //
 //     test_session [COUNT [FIRST]]   so many random sessions, from this number on
-#include <stdlib.h> // strtoul
 
 #include "front_check.h"
 
@@ -340,8 +339,7 @@ static void switches_hold_for_lines_to_come(check_t *check)
 int main(int argc, char **argv)
 {
     check_t check = {0};
-    if (argc > 1) count = (uint32_t)strtoul(argv[1], NULL, 10);
-    if (argc > 2) first = (uint32_t)strtoul(argv[2], NULL, 10);
+    check_seeds(argc, argv, &count, &first);
     CHECK_RUN(&check, a_wrong_line_leaves_nothing);
     CHECK_RUN(&check, every_wrong_line_is_told_once);
     CHECK_RUN(&check, it_is_a_mode_from_the_beginning);

@@ -3,7 +3,6 @@
 // limits, what is left is dropped, and everything goes on from there.
 //
 //     test_stop [COUNT [FIRST]]   so many random paths, from this number on
-#include <stdlib.h> // strtoul
 
 #include "front_check.h"
 
@@ -281,8 +280,7 @@ static void a_probe_is_asked_in_a_session_alone(check_t *check)
 int main(int argc, char **argv)
 {
     check_t check = {0};
-    if (argc > 1) count = (uint32_t)strtoul(argv[1], NULL, 10);
-    if (argc > 2) first = (uint32_t)strtoul(argv[2], NULL, 10);
+    check_seeds(argc, argv, &count, &first);
     CHECK_RUN(&check, the_axes_brake_from_wherever_they_are);
     CHECK_RUN(&check, a_line_takes_the_way_of_the_formula);
     CHECK_RUN(&check, a_stop_at_rest_is_none);

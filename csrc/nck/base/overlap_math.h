@@ -64,22 +64,31 @@ static inline int nck_overlap_keeps_path(const nck_machine_t *machine) {
     return NCK_HAS_OPTIMAL && machine->slope == NCK_SLOPE_OPTIMAL;
 }
 
-// in·out; *jj_out: the square of the jerk of both at once, to the same side in time or, where it is
+// in·out. Cost: linear in the axes.
+static inline double nck_overlap_dot(const nck_machine_t *machine, int axes,
+                                     const nck_overlap_t *self) {
+    double dot = 0.0;
+    for (int x = 0; x < axes; x++) {
+        if (machine->axis[x].present) dot += self->in[x] * self->out[x];
+    }
+    return dot;
+}
+
+// The square of the jerk along the path of both at once, to the same side in time or, where it is
 // more, in any order. Cost: linear in the axes.
-static inline double nck_overlap_along(const nck_machine_t *machine, int axes,
-                                       const nck_overlap_t *self, int ordered, double *jj_out) {
-    double dot = 0.0, jj[2] = {0.0, 0.0};
+static inline double nck_overlap_both(const nck_machine_t *machine, int axes,
+                                      const nck_overlap_t *self, int ordered) {
+    const double dot = nck_overlap_dot(machine, axes, self);
+    double jj[2] = {0.0, 0.0};
     for (int x = 0; x < axes; x++) {
         if (!machine->axis[x].present) continue;
         for (int n = 0; n < 2; n++) {
             const double part = self->j[n] * (n ? self->out[x] : self->in[x]);
             jj[n] += part * part;
         }
-        dot += self->in[x] * self->out[x];
     }
     const double both = 2.0 * self->j[0] * self->j[1] * (ordered ? dot : nck_fabs(dot));
-    *jj_out = nck_max(jj[0] + jj[1] + both, nck_max(jj[0], jj[1]));
-    return dot;
+    return nck_max(jj[0] + jj[1] + both, nck_max(jj[0], jj[1]));
 }
 
 // The largest share that both take in sum of an axis' jerk, or of the path's own, in their order
@@ -88,10 +97,9 @@ static inline double nck_overlap_taken(const nck_machine_t *machine, int axes,
                                        const nck_overlap_t *self, int ordered) {
     double most = 0.0;
     if (nck_overlap_keeps_path(machine)) {
-        double jj;
-        (void)nck_overlap_along(machine, axes, self, ordered, &jj);
+        const double both = nck_sqrt(nck_overlap_both(machine, axes, self, ordered));
         const double turn = self->turn[0] * self->j[0] + self->turn[1] * self->j[1];
-        most = (nck_sqrt(jj) + turn) / machine->path.j_max;
+        most = (both + turn) / machine->path.j_max;
     }
     for (int x = 0; x < axes; x++) {
         double part[2];
@@ -144,9 +152,7 @@ static inline double nck_overlap_most(const nck_machine_t *machine, int axes,
                                       const nck_overlap_t *self) {
     double most = NCK_OVERLAP_FREE;
     if (nck_overlap_keeps_path(machine)) {
-        double jj;
-        const double dot = nck_overlap_along(machine, axes, self, 1, &jj);
-        if (dot < self->turn[0] + self->turn[1]) {
+        if (nck_overlap_dot(machine, axes, self) < self->turn[0] + self->turn[1]) {
             most = machine->path.a_max / nck_max(self->j[0], self->j[1]);
         }
     }

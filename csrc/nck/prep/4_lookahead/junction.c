@@ -41,7 +41,7 @@ static int bent_rows(const nck_terms_t *terms) {
 }
 
 // One of them: the limits of acceleration and jerk, and bounds on |p′|, |p″| and |p‴|.
-typedef struct row {
+typedef struct bend_row {
     double a, j, first, second, third;
 } bend_row_t;
 
@@ -49,7 +49,7 @@ static bend_row_t row_of(const nck_junction_t *junction, const nck_terms_t *term
     const nck_machine_t *const machine = terms->machine;
     const nck_junction_bend_t *const bend = &junction->shape.bend;
     bend_row_t row = {machine->path.a_max, machine->path.j_max, 0.0, (double)bend->along[0],
-                 (double)bend->along[1]};
+                      (double)bend->along[1]};
     if (x == terms->axes) {
         row.first = nck_sqrt(product(bend->first, bend->first, terms->axes));
         return row;
