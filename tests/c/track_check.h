@@ -16,7 +16,7 @@ static inline void begin_lines(double tau, double feed)
 {
     memset(&seg, 0, sizeof seg);
     seg.feed = feed;
-    nck_track_begin(&track, 2, tau);
+    nck_track_begin(&track, 2, tau, 0.0);
 }
 
 static inline nck_status_t line_to(double x, double y, double tolerance)

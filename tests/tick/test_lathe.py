@@ -8,7 +8,7 @@ import pytest
 from pycnc.machine import Machine
 from pycnc.program import Program
 
-SLOPES = ("linear", "jerk")
+SLOPES = ("linear", "jerk", "optimal")
 FACING = "G21 G18 G99\nG50 S2000\nG96 S200 M3\nG0 X{d} Z0\nG1 X0 F0.2\nG0 Z5\nM30\n"
 PROFILE = (
     "G21 G18 G99\nG50 S2500\nG96 S150 M3\nG0 X20 Z2\nG1 Z0 F0.3\nX24 Z-2\nZ-10\n"
@@ -32,11 +32,11 @@ def poses(program, line):
 
 
 @pytest.mark.parametrize("change", [(), ("path.tolerance_mm=0",)], ids=["smoothed", "exact"])
-@pytest.mark.parametrize("slope", ["linear", "jerk"])
+@pytest.mark.parametrize("slope", SLOPES)
 def test_facing_keeps_feed_a_revolution_at_every_tick_in_the_cut(slope, change):
     program = lathe(FACING.format(d=200), f"path.slope={slope}", *change)
     pose, cuts = poses(program, 5)
-    ramp = {"linear": 10, "jerk": 45}[slope]  # ticks from rest to 400 mm/min: v/a, 2·√(v/j)
+    ramp = {"linear": 10, "jerk": 45, "optimal": 45}[slope]  # ticks from rest to 400 mm/min: v/a, 2·√(v/j)
     within = np.flatnonzero(cuts)[ramp:-ramp]
     ratio = pose["v"][within] / (pose["spindle_rpm"][within] * 0.2 / 60)
     assert len(ratio) > 40_000

@@ -15,4 +15,18 @@ static inline nck_real nck_spin_rpm(NCK_IN nck_spin_t *spin, nck_real x) {
     return spin->speed >= spin->most * r ? spin->most : spin->speed / r;
 }
 
+// The feed [path mm/s] there: what holds all along, or one a revolution, under G96.
+static inline nck_real nck_spin_feed(NCK_IN nck_spin_t *spin, nck_real feed, nck_real x) {
+    return spin->per_rev > 0.0 ? spin->per_rev * nck_spin_rpm(spin, x) : feed;
+}
+
+// Up to this distance from its axis the spindle turns as fast as it may under G96 [mm].
+static inline nck_real nck_spin_flat(NCK_IN nck_spin_t *spin) { return spin->speed / spin->most; }
+
+// How fast the tool may come nearer under G96, or go away [mm/s], so that the spindle follows with
+// a [rpm/s]:   |dn/dt| = V/(2πr²)·|dr/dt| ≤ a       r: beyond nck_spin_flat
+static inline nck_real nck_spin_follow(NCK_IN nck_spin_t *spin, nck_real r, nck_real a) {
+    return a * r * r / spin->speed;
+}
+
 #endif

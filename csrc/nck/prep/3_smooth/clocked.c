@@ -32,6 +32,7 @@ static void set_terms(nck_timing_terms_t *out, const nck_terms_t *terms) {
     memset(out, 0, sizeof *out);
     out->axes = terms->axes;
     out->tau = terms->knot_s;
+    out->spin_a = machine->spindle.a_max_rpm_s;
     if (terms->limits_path) {
         out->along[0] = machine->path.a_max;
         out->along[1] = machine->path.j_max;

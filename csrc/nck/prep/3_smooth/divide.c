@@ -9,7 +9,7 @@
 
 #include "nck/base/path.h"                 // nck_path_part
 #include "nck/base/real.h"                 // nck_min nck_max nck_fabs
-#include "nck/base/spin_math.h"            // nck_spin_rpm
+#include "nck/base/spin_math.h"            // nck_spin_…
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_part
 
 #define SHARE 0.01 // of r from one end of a piece to the other: its feed is off by half of it
@@ -33,9 +33,6 @@ static double radius(const nck_seg_t *seg, double s) {
     return nck_fabs(point[NCK_AXIS_X] - seg->spin.x);
 }
 
-// Up to this radius the spindle turns as fast as it may.
-static double flat(const nck_seg_t *seg) { return seg->spin.speed / seg->spin.most; }
-
 int nck_divide_begin(nck_smooth_t *self, const nck_seg_t *seg) {
     if (!NCK_HAS_LATHE) return 0;
     const double a = self->terms->machine->spindle.a_max_rpm_s;
@@ -50,7 +47,7 @@ int nck_divide_begin(nck_smooth_t *self, const nck_seg_t *seg) {
 static double piece_end(const nck_seg_t *seg, double from) {
     const double c = slant(seg);
     const double r = radius(seg, from);
-    const double r_flat = flat(seg);
+    const double r_flat = nck_spin_flat(&seg->spin);
     const double step = r > r_flat ? SHARE * r : nck_max(r_flat - r, SHARE * r_flat);
     const double rest = seg->length - from;
     if (rest * c <= step) return seg->length;
@@ -70,16 +67,15 @@ static void take_part(nck_seg_t *seg, double from, double to, int axes) {
     seg->length = to - from;
 }
 
-// The spindle follows as fast as a_max_rpm_s lets it:
-//   |dn/dt| = V / (2πr²)·|dr/ds|·v ≤ a      where n is below its most
+// How fast the piece may be taken, where the speed is below its most, so that the spindle follows.
 static double follows_at(const nck_seg_t *seg, double from, double to, double a) {
     const double c = slant(seg);
     const double r0 = radius(seg, from);
     const double r1 = radius(seg, to);
-    const double r_flat = flat(seg);
+    const double r_flat = nck_spin_flat(&seg->spin);
     if (!(a > 0.0) || c == 0.0 || nck_max(r0, r1) <= r_flat) return 0.0;
     const double r = nck_max(r_flat, nck_min(r0, r1));
-    return a * r * r / (seg->spin.speed * c);
+    return nck_spin_follow(&seg->spin, r, a) / c;
 }
 
 void nck_divide_next(nck_smooth_t *self, nck_seg_t *seg_out) {
@@ -93,9 +89,7 @@ void nck_divide_next(nck_smooth_t *self, nck_seg_t *seg_out) {
     if (to < seg->length) seg_out->stop = 0;
     if (to < seg->length) seg_out->overlap = 0.0;
     nck_path_part(seg, 0.5 * (from + to), NCK_AXIS_X + 1, middle);
-    if (seg->spin.per_rev > 0.0) {
-        seg_out->feed = seg->spin.per_rev * nck_spin_rpm(&seg->spin, middle[NCK_AXIS_X]);
-    }
+    seg_out->feed = nck_spin_feed(&seg->spin, seg->feed, middle[NCK_AXIS_X]);
     seg_out->v_most = follows_at(seg, from, to, self->terms->machine->spindle.a_max_rpm_s);
     self->divide.from = to;
 }

@@ -250,11 +250,10 @@ static void arrive(nck_smooth_t *self, const nck_block_t *block, const nck_seg_t
 
 // 1 if the block is taken by the clocked run, which it may open; else that is over. A run of the
 // other kind goes on to its rest.
-static int goes_clocked(nck_smooth_t *self, const nck_block_t *block, const nck_raw_t *raw) {
+static int goes_clocked(nck_smooth_t *self, const nck_raw_t *raw) {
     nck_clocked_t *const clocked = nck_runs_of(self);
     const int is_free = !self->run.open && self->raw.tail == self->raw.head;
-    const int may_join = raw->smooth && is_free && raw->tolerance >= self->terms->knot_p
-                         && !(block->surface > 0.0);
+    const int may_join = raw->smooth && is_free && raw->tolerance >= self->terms->knot_p;
     if (may_join && nck_clocked_push(clocked, self->terms, &raw->seg, raw->tolerance,
                                      self->rests) == NCK_OK) {
         return 1;
@@ -279,7 +278,7 @@ nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint3
     if (nck_smooth_is_empty(self)) self->known = self->s;
     self->known += raw->seg.length;
     self->hungry = 0;
-    if (nck_runs_are_clocked(self) && goes_clocked(self, block, raw)) return NCK_OK;
+    if (nck_runs_are_clocked(self) && goes_clocked(self, raw)) return NCK_OK;
     const int is_smoothed = NCK_HAS_SMOOTH && raw->smooth;
     if (is_smoothed && nck_merge_line(self, block, &raw->seg)) return NCK_OK;
     if (is_smoothed) join_output(self, raw);

@@ -50,7 +50,8 @@ void nck_stream_begin(nck_stream_t *self, const nck_stream_wish_t *wish) {
     self->near = 0;
     memset(&self->told, 0, sizeof self->told);
     memset(self->seam, 0, sizeof self->seam);
-    nck_track_begin(&self->track, wish->terms.axes, wish->terms.tau);
+    nck_track_begin(&self->track, wish->terms.axes, wish->terms.tau,
+                    wish->terms.spin_a);
     nck_timing_begin(&self->clock, &self->wish.terms);
     nck_timing_keep(&self->clock, &self->work.list, &self->track, self->b, nothing);
 }
@@ -355,8 +356,9 @@ static void set_node(nck_stream_t *self, int k) {
         slowness = nck_max(slowness, nck_fabs(first) / terms->v[x]);
         square += first * first;
     }
-    self->near = nck_track_find(&self->track, self->near, self->clock.s[4 * k]);
-    const double feed = nck_track_at(&self->track, self->near)->words.feed;
+    const double s = self->clock.s[4 * k];
+    self->near = nck_track_find(&self->track, self->near, s);
+    const double feed = nck_track_feed(&self->track, self->near, s);
     double least = 1.0 / FASTEST;
     least = nck_max(least, slowness * slowness);
     if (feed > 0.0) least = nck_max(least, square / (feed * feed));
@@ -469,21 +471,6 @@ int nck_stream_hurry(nck_stream_t *self) {
 
 double nck_stream_place(const nck_stream_t *self) { return self->clock.s[4 * self->at]; }
 
-// The words of the piece in work: its begin's, but the feed of its slowest element. One may be
-// shorter than a knot.
-static void set_words(const nck_stream_t *self, double end, nck_track_words_t *words_out) {
-    const nck_track_t *const track = &self->track;
-    *words_out = nck_track_at(track, self->near)->words;
-    for (uint32_t n = self->near + 1; n != track->head; n++) {
-        const nck_track_element_t *const element = nck_track_at(track, n);
-        if (!(element->s < end)) return;
-        if (!(element->words.feed < words_out->feed)) continue;
-        words_out->feed = element->words.feed;
-        words_out->feed_scale = element->words.feed_scale;
-        words_out->rapid = element->words.rapid;
-    }
-}
-
 void nck_stream_take(nck_stream_t *self, nck_stream_piece_t *piece_out) {
     const int i = self->at++;
     memcpy(piece_out->point, &self->point[i], sizeof piece_out->point);
@@ -493,7 +480,8 @@ void nck_stream_take(nck_stream_t *self, nck_stream_piece_t *piece_out) {
     const nck_track_element_t *const element = nck_track_at(&self->track, self->near);
     memcpy(piece_out->line, element->line, sizeof piece_out->line);
     piece_out->block = element->block[0];
-    set_words(self, piece_out->s[1], &piece_out->words);
+    const double x = 0.5 * (self->point[i + 1][NCK_AXIS_X] + self->point[i + 2][NCK_AXIS_X]);
+    nck_track_words(&self->track, self->near, piece_out->s[1], x, &piece_out->words);
     const int begins = self->clock.begins && i == 0;
     const int ends = (self->clock.ends || self->halts) && i + 1 == self->commit;
     piece_out->rests = (uint8_t)(begins | (ends << 1));

@@ -18,6 +18,7 @@
 // … but knots grow no faster than √(so much J/v) a second: what the clock has of jerk, v(ṁ/m)², the
 // motion takes away again, to a few per cent. 0.3 costs 0.3 % of time, 0.03 wins none.
 #define SWINGS 0.1
+#define TURNS 0.001 // … and a feed a revolution changes by no more of itself from knot to knot
 #define STRETCHED ((nck_num)0.6) // of the clock's speed: where knots may be as far apart they are
 #define SLOWEST ((nck_num)0.3) // the least and
 #define FASTEST ((nck_num)1.5) // most that a plan may change the clock by at once
@@ -155,9 +156,10 @@ static double next_place(nck_timing_t *self, double end) {
 // How fast a place may be passed by all that is known.
 static nck_num speed_of(nck_timing_t *self, const nck_track_t *track, sight_t *sight,
                        const nck_track_element_t *element) {
-    const nck_num feed = (nck_num)element->words.feed;
     const double s = sight->middle.s;
-    const nck_num around = look_around(self, track, sight, (nck_num)reach_of(self) * feed);
+    const nck_num reach = (nck_num)reach_of(self) * (nck_num)element->words.feed;
+    const nck_num around = look_around(self, track, sight, reach);
+    const nck_num feed = (nck_num)nck_track_feed(track, sight->middle.count, s);
     const nck_num v = nck_timing_near_rest(self->terms, s, nck_num_min(around, feed));
     return self->closed ? nck_timing_near_rest(self->terms, sight->known - s, v) : v;
 }
@@ -184,13 +186,14 @@ static nck_num wide_at(const nck_timing_t *self, const nck_track_t *track, uint3
     if (self->even) return 0;
     *near = nck_track_find(track, *near, s);
     const nck_track_element_t *const element = nck_track_at(track, *near);
-    const double v = nck_min(element->words.feed, terms->v_most);
+    const double v = nck_min(nck_track_feed(track, *near, s), terms->v_most);
     if (element->kind != NCK_SEG_LINE || !(terms->longest > 1.0) || !(v > 0.0)) return 0;
     const nck_num way = (nck_num)(s - element->s);
     const nck_num length = (nck_num)element->length;
     const double grows = nck_min(GROWS / terms->tau,
                                  nck_sqrt(SWINGS * terms->j_least / v));
-    return nck_num_max((nck_num)grows * way * (1 - way / length), 0);
+    const nck_num most = (nck_num)(TURNS * nck_track_even(track, *near, s) / terms->tau);
+    return nck_num_min(most, nck_num_max((nck_num)grows * way * (1 - way / length), 0));
 }
 
 nck_status_t nck_timing_look(nck_timing_t *self, const nck_track_t *track) {
@@ -273,7 +276,7 @@ double nck_timing_pace(const nck_timing_t *self, const nck_track_t *track, uint3
     if (!nck_timing_is_wide(self, track, near, knot)) return 1.0;
     const nck_track_element_t *const element = nck_track_at(track, *near);
     const double way = nck_min(s - element->s, element->s + element->length - s);
-    const double feed = element->words.feed;
+    const double feed = nck_track_feed(track, *near, s);
     const double vv = nck_min(feed * feed, 2.0 * self->terms->a_least * way);
     return nck_min(1.0, vv / (rate * rate));
 }

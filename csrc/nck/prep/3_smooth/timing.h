@@ -31,6 +31,7 @@ typedef struct nck_timing_terms {
     double smooth_least;
     double along[2]; // along the path, acceleration [mm/s²] and jerk [mm/s³]; 0: as axes have it
     double v_most;  // the most of the axes
+    double spin_a;  // how fast the spindle follows a surface speed [rpm/s]; 0: at once
     double a_least; // the least of the axes and the path
     double a_reached; // the most that an axis reaches: by its limit, or since its jerk builds it up
                       // over no more than twice its speed

@@ -5,16 +5,20 @@
 #include <string.h> // memcpy memset
 
 #include "nck/base/path.h" // nck_path_part nck_path_tangent_part
-#include "nck/base/real.h" // nck_max nck_min nck_sqrt
+#include "nck/base/real.h" // nck_fabs nck_max nck_min nck_sqrt
+#include "nck/base/spin_math.h" // nck_spin_…
 
 // What joining may cost of P. More than the least is taken as the ring fills alone: where chords
 // are so short that it would not hold what a window has to see.
 static const double costs[NCK_TRACK_LEVELS] = {1.0 / 32.0, 1.0 / 8.0, 1.0 / 4.0, 1.0 / 2.0};
+#define EVEN 1e9 // [path mm] is beyond any path
+#define EVENS 40.0 // where a feed is even it is said to be so by so much more a mm: knots grow there
 #define SPAN 0.5 // how long joining makes a line, in knots at the feed: nothing looks closer
 
-void nck_track_begin(nck_track_t *self, int axes, double knot_s) {
+void nck_track_begin(nck_track_t *self, int axes, double knot_s, double spin_a) {
     self->axes = axes;
     self->knot_s = knot_s;
+    self->spin_a = spin_a;
     self->head = 0;
     self->tail = 0;
     self->grows = 0;
@@ -242,6 +246,62 @@ void nck_track_tangent(const nck_track_t *self, uint32_t count, double s, nck_nu
     nck_track_seg(self, count, &seg);
     nck_path_tangent_part(&seg, s - element->s, self->axes, tangent);
     for (int x = 0; x < self->axes; x++) tangent_out[x] = (nck_num)tangent[x];
+}
+
+// Where an element is under G96 at s.
+typedef struct turning {
+    double x;     // [mm]
+    double r;     // from the spindle's axis [mm]
+    double flat;  // nearer to it the speed does not change [mm]
+    double slant; // |dr/ds|
+} turning_t;
+
+static void find_turning(const nck_track_t *self, uint32_t count, double s, turning_t *out) {
+    const nck_spin_t *const spin = &nck_track_at(self, count)->words.spin;
+    double point[NCK_AXIS_MAX];
+    nck_num tangent[NCK_AXIS_MAX];
+    nck_track_point(self, count, s, point);
+    nck_track_tangent(self, count, s, tangent);
+    out->x = point[NCK_AXIS_X];
+    out->r = nck_fabs(out->x - spin->x);
+    out->flat = nck_spin_flat(spin);
+    out->slant = nck_fabs((double)tangent[NCK_AXIS_X]);
+}
+
+double nck_track_feed(const nck_track_t *self, uint32_t count, double s) {
+    const nck_track_words_t *const words = &nck_track_at(self, count)->words;
+    const nck_spin_t *const spin = &words->spin;
+    if (!NCK_HAS_LATHE || !(spin->most > 0.0)) return words->feed;
+    turning_t there;
+    find_turning(self, count, s, &there);
+    const double feed = nck_spin_feed(spin, words->feed, there.x);
+    const double most = nck_spin_follow(spin, there.r, self->spin_a);
+    const int follows = self->spin_a > 0.0 && there.r > there.flat;
+    return follows && there.slant * feed > most ? most / there.slant : feed;
+}
+
+double nck_track_even(const nck_track_t *self, uint32_t count, double s) {
+    const nck_spin_t *const spin = &nck_track_at(self, count)->words.spin;
+    turning_t there = {0.0, 0.0, 0.0, 0.0};
+    if (!NCK_HAS_LATHE || !(spin->per_rev > 0.0)) return EVEN;
+    find_turning(self, count, s, &there);
+    const double inside = nck_max(0.0, there.flat - there.r);
+    return there.slant > 0.0 ? (there.r + (1.0 + EVENS) * inside) / there.slant : EVEN;
+}
+
+void nck_track_words(const nck_track_t *self, uint32_t count, double s, double x,
+                     nck_track_words_t *words_out) {
+    *words_out = nck_track_at(self, count)->words;
+    words_out->feed = nck_spin_feed(&words_out->spin, words_out->feed, x);
+    for (uint32_t n = count + 1; n != self->head; n++) {
+        const nck_track_element_t *const element = nck_track_at(self, n);
+        if (!(element->s < s)) return;
+        const double feed = nck_spin_feed(&element->words.spin, element->words.feed, x);
+        if (!(feed < words_out->feed)) continue;
+        words_out->feed = feed;
+        words_out->feed_scale = element->words.feed_scale;
+        words_out->rapid = element->words.rapid;
+    }
 }
 
 void nck_track_drop(nck_track_t *self, double s, double back) {

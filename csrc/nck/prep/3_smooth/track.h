@@ -49,6 +49,7 @@ typedef struct nck_track {
     uint32_t tail;    // elements done with
     uint8_t grows;    // 1: lines may be joined to the newest one
     double knot_s;    // what knots are apart in time [s]
+    double spin_a;    // how fast the spindle follows a surface speed [rpm/s]; 0: at once
     double end[NCK_AXIS_MAX]; // of the newest
     struct {
         double tolerance; // P of its blocks [mm]
@@ -58,8 +59,9 @@ typedef struct nck_track {
     nck_track_element_t at[NCK_TRACK_SPAN];
 } nck_track_t;
 
-// Begin a run. Cost: constant. Context: prep.
-void nck_track_begin(nck_track_t *self, int axes, double knot_s);
+// Begin a run. The knots' time and the spindle's acceleration are as in the track.
+// Cost: constant. Context: prep.
+void nck_track_begin(nck_track_t *self, int axes, double knot_s, double spin_a);
 
 // Add a line, arc or helix with length, which begins where the last one ended. Its feed is what is
 // wanted, of a rapid what its axes can do. tolerance: P > 0.
@@ -106,6 +108,21 @@ void nck_track_offset(const nck_track_t *self, const nck_track_view_t *from, uin
 
 // dp/ds at s of a known element. Cost: constant. Context: prep.
 void nck_track_tangent(const nck_track_t *self, uint32_t count, double s, nck_num *tangent_out);
+
+// The wanted speed at s of a known element [path mm/s]: its feed; under G96 that of the place, by
+// the spindle's speed there and no more than it can follow. Cost: constant. Context: prep.
+double nck_track_feed(const nck_track_t *self, uint32_t count, double s);
+
+// The way at s of a known element, straight on, over which its feed would change by all of itself:
+// under G96 that to the spindle's axis, longer where its speed is the most, else beyond any path
+// [path mm]. Cost: constant. Context: prep.
+double nck_track_even(const nck_track_t *self, uint32_t count, double s);
+
+// The words of a piece from somewhere on this element to s, where the tool is at x: of its begin,
+// but the feed of its slowest element. One may be shorter than a knot.
+// Cost: linear in its elements. Context: prep.
+void nck_track_words(const nck_track_t *self, uint32_t count, double s, double x,
+                     nck_track_words_t *words_out);
 
 // Where an element ends. Cost: constant. Context: prep.
 const double *nck_track_end(const nck_track_t *self, uint32_t count);

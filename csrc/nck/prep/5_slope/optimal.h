@@ -29,14 +29,14 @@ typedef struct nck_optimal_pace {
     float along[NCK_MOTION_NODES]; // |p′|² [(mm/s)²]
 } nck_optimal_pace_t;
 
-// Intervals about a node that are looked at.
-enum { NCK_OPTIMAL_LOOKS = 4 };
+// Intervals about a node that are looked at, and places of each: quarters.
+enum { NCK_OPTIMAL_LOOKS = 6, NCK_OPTIMAL_PLACES = 5 };
 
-// How fast the path goes by its clock in both halves of an interval.
+// How fast the path goes by its clock in an interval.
 typedef struct nck_optimal_look {
     uint32_t number;  // of the piece
     uint32_t known;   // 1: by this plan
-    nck_num along[2]; // the most |p′|² [(mm/s)²]
+    nck_num along[NCK_OPTIMAL_PLACES]; // |p′|² [(mm/s)²]
 } nck_optimal_look_t;
 
 // The planner: a window in work, and the pace of the plan before.

@@ -6,6 +6,7 @@
 
 #include "nck/base/path.h" // nck_path_ways nck_path_way_at
 #include "nck/base/real.h" // nck_fabs nck_min nck_max nck_sqrt nck_num
+#include "nck/base/spin_math.h" // nck_spin_…
 #include "nck/prep/5_slope/optimal_pace.h" // nck_optimal_work …
 
 // Of the clock's pace, what a plan begins to be sought with; and of the last plan's, as far as
@@ -15,9 +16,6 @@
 // Nodes over which the guess brakes for a window's end.
 #define BRAKE_NODES 40.0
 #define PACE_LEAST 1e-8
-// Parts of an interval, at whose ends the path's speed over the clock is looked at: its square is
-// of the fourth degree there.
-enum { LOOKS = 4 };
 // Slower than that by its clock the path rests [mm/s].
 #define REST_LEAST 1e-6
 #define PACE_MOST 1e6
@@ -62,6 +60,9 @@ static void derive(const nck_optimal_t *self, const nck_seg_t *seg, int at_end, 
     }
 }
 
+// Where in an interval a place is that is looked at. |p′|² is of the fourth degree there.
+static nck_num place_at(int n) { return (nck_num)n / (nck_num)(NCK_OPTIMAL_PLACES - 1); }
+
 // |p′|² at f of an interval; where the path is longer than what F is meant for, that of X Y Z over
 // that share, if it is more: a curve goes over from one such line to the next.
 static nck_num along_at(const nck_optimal_t *self, const hodograph_t *path, nck_num scale,
@@ -77,7 +78,7 @@ static nck_num along_at(const nck_optimal_t *self, const hodograph_t *path, nck_
     return path->per * path->per * nck_num_max(all, tool);
 }
 
-// The most |p′|² in either half of an interval. It is looked for once a plan: three nodes ask.
+// |p′|² at the places of an interval. It is looked for once a plan: six nodes ask.
 static const nck_num *look_along(nck_optimal_t *self, const nck_node_t *piece, uint32_t number) {
     nck_optimal_look_t *const look = &self->looked[number % NCK_OPTIMAL_LOOKS];
     if (look->known && look->number == number) return look->along;
@@ -86,45 +87,129 @@ static const nck_num *look_along(nck_optimal_t *self, const nck_node_t *piece, u
     set_hodograph(self, seg, &path);
     look->known = 1;
     look->number = number;
-    look->along[0] = 0;
-    look->along[1] = 0;
-    for (int n = 0; n <= LOOKS; n++) {
-        const nck_num f = (nck_num)n / (nck_num)LOOKS;
-        const nck_num along = along_at(self, &path, (nck_num)seg->feed_scale, f);
-        if (2 * n <= LOOKS) look->along[0] = nck_num_max(look->along[0], along);
-        if (2 * n >= LOOKS) look->along[1] = nck_num_max(look->along[1], along);
+    for (int n = 0; n < NCK_OPTIMAL_PLACES; n++) {
+        look->along[n] = along_at(self, &path, (nck_num)seg->feed_scale, place_at(n));
     }
     return look->along;
 }
 
-// What stands about a node: within half an interval of it b is a mean of its own and both
-// neighbours', so what holds at all three within one and a half keeps feeds between nodes, too.
-typedef struct nearby {
-    nck_num along; // the most |p′|² [(mm/s)²]
-    double vv;     // the least that is wanted [(mm/s)²]
-} nearby_t;
-
-// … an interval of it, from one half to another.
-static void look_at(nck_optimal_t *self, const nck_node_t *piece, uint32_t number,
-                    const int span[2], nearby_t *around) {
-    const nck_num *const along = look_along(self, piece, number);
-    around->vv = nck_min(around->vv, nck_optimal_wanted(self, piece));
-    for (int n = span[0]; n <= span[1]; n++) around->along = nck_num_max(around->along, along[n]);
+// The most b in an interval with which the spindle follows a surface speed: of X by its place.
+static double spin_pace(const nck_optimal_t *self, const nck_seg_t *seg) {
+    const nck_spin_t *const spin = &seg->spin;
+    const double a = self->terms->machine->spindle.a_max_rpm_s;
+    double slowness = 1.0 / PACE_MOST;
+    if (!NCK_HAS_LATHE || !(spin->most > 0.0) || !(a > 0.0)) return PACE_MOST;
+    hodograph_t path;
+    set_hodograph(self, seg, &path);
+    const double flat = nck_spin_flat(spin);
+    const double begin = nck_fabs(seg->start[NCK_AXIS_X] - spin->x);
+    const double end = nck_fabs(seg->end[NCK_AXIS_X] - spin->x);
+    if (nck_max(begin, end) <= flat) return PACE_MOST;
+    const double least = nck_spin_follow(spin, nck_max(flat, nck_min(begin, end)), a);
+    for (int n = 0; n < NCK_OPTIMAL_PLACES; n++) {
+        const nck_num tangent = tangent_at(&path, NCK_AXIS_X, place_at(n));
+        slowness = nck_max(slowness, nck_fabs((double)(path.per * tangent)) / least);
+    }
+    return 1.0 / (slowness * slowness);
 }
 
-// Begin of the path's motion or of the window, and its end, end what is looked at.
+// What stands about a node: b is a mean of its own and both neighbours', so what holds within one
+// and a half intervals of it keeps feeds between nodes, too.
+typedef struct nearby {
+    const nck_num *along[NCK_OPTIMAL_LOOKS]; // of the intervals about it, NULL: none
+    double vv;     // the least that is wanted [(mm/s)²]
+    double pace;   // the most b with which the spindle follows
+} nearby_t;
+
+enum {
+    NEAR_FIRST = 1, // of these intervals, the first and
+    NEAR_LAST = 4,  // the last that its b counts in; the node is the begin of the one
+    NEAR_NODE = 3,  // in the middle
+    NEAR_NODES = 7, // at their ends, itself the fourth; at the outer two b counts nothing
+    MIDDLE = 2      // of an interval's places
+};
+
 static void look_around(nck_optimal_t *self, const nck_pieces_t *pieces, uint32_t number,
                         nearby_t *around_out) {
-    static const int span[4][2] = {{1, 1}, {0, 1}, {0, 1}, {0, 0}};
-    around_out->along = 0;
     around_out->vv = PACE_MOST * PACE_MOST;
-    for (uint32_t n = 0; n < 4; n++) {
-        const uint32_t at = number + n - 2;
+    around_out->pace = PACE_MOST;
+    for (uint32_t n = 0; n < NCK_OPTIMAL_LOOKS; n++) {
+        const uint32_t at = number + n - NEAR_NODE;
         const nck_node_t *const piece = nck_plan_piece(pieces, at);
-        const int is_of_run = piece && piece->length > 0.0
-                              && nck_link_seg(self->link, piece->seg)->keeps == NCK_KEEP_CLOCK;
-        if (is_of_run) look_at(self, piece, at, span[n], around_out);
+        around_out->along[n] = (const nck_num *)0;
+        if (!piece || !(piece->length > 0.0)) continue;
+        const nck_seg_t *const seg = nck_link_seg(self->link, piece->seg);
+        if (seg->keeps != NCK_KEEP_CLOCK) continue;
+        around_out->along[n] = look_along(self, piece, at);
+        if (n < NEAR_FIRST || n > NEAR_LAST) continue;
+        around_out->vv = nck_min(around_out->vv, nck_optimal_wanted(self, piece));
+        around_out->pace = nck_min(around_out->pace, spin_pace(self, seg));
     }
+}
+
+// About |p′|² at the end of an interval, the begin of the next one: no less than a quarter of what
+// it is in the halves beside it. 0: there is neither.
+static nck_num along_node(const nck_num *before, const nck_num *behind) {
+    nck_num here = 0;
+    nck_num beside = 0;
+    for (int n = 0; n <= MIDDLE; n++) {
+        if (before) beside = nck_num_max(beside, before[NCK_OPTIMAL_PLACES - 1 - n]);
+        if (behind) beside = nck_num_max(beside, behind[n]);
+    }
+    if (before) here = before[NCK_OPTIMAL_PLACES - 1];
+    if (behind) here = nck_num_max(here, behind[0]);
+    return nck_num_max(here, beside / 4);
+}
+
+// What b would be at a place of an interval if it were `pace` at the nodes, from the one before its
+// begin on: a parabola about either end.
+static nck_num pace_between(const nck_num *pace, int place) {
+    const int is_late = place > MIDDLE;
+    const nck_num t = is_late ? place_at(place) - 1 : place_at(place);
+    const nck_num *const node = is_late ? pace + 1 : pace;
+    const nck_num half = (nck_num)0.5;
+    return half * (half - t) * (half - t) * node[0] + ((nck_num)0.75 - t * t) * node[1]
+           + half * (half + t) * (half + t) * node[2];
+}
+
+// The most |p′|²·b in an interval, from a place to another, if b is `pace` at nodes. Between three
+// places it is above them by an eighth of its second difference.
+static nck_num most_along(const nck_num *along, const nck_num *pace, int from, int to) {
+    nck_num product[NCK_OPTIMAL_PLACES];
+    nck_num most = 0;
+    nck_num bend = 0;
+    for (int n = from; n <= to; n++) {
+        product[n] = along[n] * pace_between(pace, n);
+        most = nck_num_max(most, product[n]);
+        if (n < from + 2) continue;
+        const nck_num second = product[n] - 2 * product[n - 1] + product[n - 2];
+        bend = nck_num_max(bend, NCK_NUM_ABS(second));
+    }
+    return most + bend / 8;
+}
+
+// What keeps feeds about a node, as |p′|² there: with b_k ≤ F²/along_k at all nodes, |p′|²·b ≤ F²
+// everywhere. For any w_k > 0,
+//     along_k = w_k · max |p′|² Σ b-spline_i/w_i       over one and a half intervals of k
+// does: then Σ b_i·b-spline_i ≤ F² Σ b-spline_i/w_i · min 1/(|p′|² Σ b-spline_i/w_i) ≤ F²/|p′|².
+static nck_num along_of(const nearby_t *around) {
+    nck_num pace[NEAR_NODES];
+    nck_num most = 0;
+    const nck_num here =
+        along_node(around->along[NEAR_NODE - 1], around->along[NEAR_NODE]);
+    if (!(here > 0)) return 0;
+    for (int n = 0; n < NEAR_NODES; n++) pace[n] = 1 / here;
+    for (int n = 1; n < NEAR_NODES - 1; n++) {
+        const nck_num at = along_node(around->along[n - 1], around->along[n]);
+        if (at > 0) pace[n] = 1 / at;
+    }
+    for (int n = NEAR_FIRST; n <= NEAR_LAST; n++) {
+        const int from = n == NEAR_FIRST ? MIDDLE : 0;
+        const int to = n == NEAR_LAST ? MIDDLE : NCK_OPTIMAL_PLACES - 1;
+        if (!around->along[n]) continue;
+        most = nck_num_max(most, most_along(around->along[n], pace + n - 1, from, to));
+    }
+    return here * most;
 }
 
 // Which limit stands behind the speed that is wanted in a piece.
@@ -137,6 +222,7 @@ static uint8_t wish_of(const nck_optimal_t *self, const nck_node_t *piece) {
 // axis' speed is its own.
 static double cap_of(const nck_optimal_t *self, const nck_num *first, const nearby_t *around,
                      uint8_t *limit) {
+    const double along = (double)along_of(around);
     double cap = PACE_MOST;
     int slowest = 0;
     for (int x = 0; x < self->terms->axes; x++) {
@@ -146,7 +232,11 @@ static double cap_of(const nck_optimal_t *self, const nck_num *first, const near
         cap = v * v / pp;
         slowest = x;
     }
-    if ((double)around->along * cap > around->vv) return around->vv / (double)around->along;
+    if (around->pace < cap && along * around->pace <= around->vv) {
+        *limit = NCK_LIMIT_SPINDLE;
+        return around->pace;
+    }
+    if (along * cap > around->vv) return around->vv / along;
     if (*limit != NCK_LIMIT_RAPID) *limit = (uint8_t)(NCK_LIMIT_AXIS_V + slowest);
     return cap;
 }
