@@ -28,7 +28,7 @@ enum { SERVE_ASKS = 66 };
 // Real-time bytes; those that stop come first.
 typedef enum serve_signal {
     SERVE_HOLD = 0, SERVE_DOOR = 1, SERVE_CANCEL = 2, SERVE_RESET = 3, SERVE_REPORT = 4,
-    SERVE_RESUME = 5, SERVE_MODES = 6, SERVE_FLOOD = 7, SERVE_MIST = 8,
+    SERVE_RESUME = 5, SERVE_MODES = 6, SERVE_MIST = 7, SERVE_FLOOD = 8,
     SERVE_OVERRIDE = 9 // and above: 0x90 …
 } serve_signal_t;
 

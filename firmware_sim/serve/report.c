@@ -50,7 +50,8 @@ static void say_number(const serve_t *self, int32_t value, uint32_t one) {
 // To the nearest whole number that fits.
 static int32_t nearest(double value) {
     const double most = 2e9;
-    return (int32_t)floor((value < most ? value : most) + 0.5);
+    const double kept = value < most ? value : most;
+    return (int32_t)floor((kept > -most ? kept : -most) + 0.5);
 }
 
 void serve_say_form(serve_t *self, uint32_t text, const int32_t *values) {
@@ -81,7 +82,7 @@ void serve_say_setting(serve_t *self, int32_t number, int32_t value) {
 }
 
 void serve_say_measure(serve_t *self, int32_t number, double value) {
-    const int32_t values[] = {number, nearest(value * THOUSANDTHS)};
+    const int32_t values[] = {number, nearest(value * 1e3)};
     serve_say_form(self, SERVE_SAY_MEASURE, values);
 }
 
@@ -168,9 +169,10 @@ static void say_seldom(serve_t *self, const nck_modal_t *modal) {
     } else if (self->ov_in == 0) {
         self->ov_in = again;
         say_overrides(self);
+    } else {
+        self->ov_in--;
     }
     self->wco_in--;
-    if (self->ov_in > 0) self->ov_in--;
 }
 
 void serve_say_status(serve_t *self) {

@@ -160,8 +160,8 @@ static void obey(serve_t *self, uint32_t signal) {
     case SERVE_REPORT: serve_say_status(self); break;
     case SERVE_RESUME: resume(self); break;
     case SERVE_MODES: serve_say_modes(self, 1); break;
-    case SERVE_FLOOD:
-    case SERVE_MIST: self->turned ^= signal == SERVE_FLOOD ? 2 : 1; break;
+    case SERVE_MIST:
+    case SERVE_FLOOD: self->turned ^= (uint8_t)(signal - SERVE_MODES); break; // bit 0, bit 1
     default: change_override(self, signal - SERVE_OVERRIDE); break;
     }
 }
