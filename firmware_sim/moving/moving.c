@@ -22,6 +22,7 @@ static void machine(pulse_set_t *set) {
     mill.slope = NCK_SLOPE_JERK;
     mill.dialect.base = NCK_DIALECT_GRBL;
     mill.dialect.probe = NCK_PROBE_MISSES; // a session asks the probe
+    mill.spindle_waits = 1; // M3, M4 and another S rest until HAL_IN_SLOW reads 0
     mill.period_s = 1.0 / MOVING_PERIOD_HZ;
     set->period_s = mill.period_s;
     set->interrupts = MOVING_FAST_HZ / MOVING_PERIOD_HZ;
@@ -38,6 +39,12 @@ static void machine(pulse_set_t *set) {
         set->motor[k].steps = 200.0;
         set->motor[k].counts = 1e6;
     }
+}
+
+// What the program switches: the protocol tells it, and the path waits for the spindle.
+static void output(void *user, const nck_output_t *what) {
+    serve_output(user, what);
+    inputs_output(&inputs, what);
 }
 
 static void write(void *user, const char *bytes, uint32_t n) {
@@ -62,7 +69,7 @@ void moving_period(void) {
 void moving_receive(uint8_t byte) { serve_receive(&serve, byte); }
 
 int main(void) {
-    const nck_hooks_t hooks = {&serve, serve_output, NULL, NULL};
+    const nck_hooks_t hooks = {&serve, output, NULL, NULL};
     const serve_port_t port = {NULL, write};
     nck_pose_t pose;
     nck_axes_t axes;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // An RP2040 (its datasheet): SysTick is the fast interrupt, PendSV the period, UART0 the line at
 // 115 200 baud on GPIO 0 and 1. GPIO 2 … 4: step, 5 … 7: direction, 8: drives on; 10 … 12: home
-// switches, 13: probe, 14: emergency stop. The boot code has set 125 MHz for the processor and for
-// clk_peri, and the vector table has the three handlers below.
+// switches, 13: probe, 14: emergency stop, 15: the spindle has not its speed. The boot code has set
+// 125 MHz for the processor and for clk_peri, and the vector table has the three handlers below.
 #include "moving/moving.h"
 
 #include "hal/input.h" // HAL_IN_HOME
@@ -20,7 +20,7 @@
 
 enum {
     CORE_HZ = 125000000, BAUD = 115200, STEP = 2, DIRECTION = 5, DRIVES = 8, HOME = 10, PROBE = 13,
-    EMERGENCY = 14, UART0_IRQ = 20, AS_UART = 2, AS_SIO = 5
+    EMERGENCY = 14, SLOW = 15, UART0_IRQ = 20, AS_UART = 2, AS_SIO = 5
 };
 
 static uint32_t count; // fast interrupts since the last period
@@ -31,8 +31,8 @@ void UART0_IRQ_Handler(void);
 
 static void begin_pins(void) {
     for (uint32_t pin = 0; pin < 2; pin++) PIN_CTRL(pin) = AS_UART;
-    for (uint32_t pin = STEP; pin <= EMERGENCY; pin++) PIN_CTRL(pin) = AS_SIO;
-    for (uint32_t pin = HOME; pin <= EMERGENCY; pin++) PAD(pin) = 0x4a; // in, pulled up
+    for (uint32_t pin = STEP; pin <= SLOW; pin++) PIN_CTRL(pin) = AS_SIO;
+    for (uint32_t pin = HOME; pin <= SLOW; pin++) PAD(pin) = 0x4a; // in, pulled up
     REG(SIO + 0x24) = 0x7fu << STEP;                                    // out
 }
 
@@ -65,7 +65,7 @@ uint32_t part_inputs(void) {
     const uint32_t pins = REG(SIO + 0x04);
     const uint32_t homes = pins >> HOME & 7u;
     return homes << HAL_IN_HOME | homes << HAL_IN_LIMIT | (pins >> PROBE & 1u) << HAL_IN_PROBE
-           | (pins >> EMERGENCY & 1u) << HAL_IN_EMERGENCY;
+           | (pins >> EMERGENCY & 1u) << HAL_IN_EMERGENCY | (pins >> SLOW & 1u) << HAL_IN_SLOW;
 }
 
 void part_drives(uint32_t on) { REG(SIO + (on ? 0x14u : 0x18u)) = 1u << DRIVES; }

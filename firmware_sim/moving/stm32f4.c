@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // An STM32F4 (RM0090): TIM2 is the fast interrupt, PendSV the period, USART2 the line at 115 200
 // baud on PA2 and PA3. PB0 … 2: step, PB4 … 6: direction, PB8: drives on; PC0 … 2: home switches,
-// PC3: probe, PC4: emergency stop. The start-up code has set 84 MHz for APB1's timers, half of it
-// for its peripherals, and the vector table has the three handlers below.
+// PC3: probe, PC4: emergency stop, PC5: the spindle has not its speed. The start-up code has set
+// 84 MHz for APB1's timers, half of it for its peripherals, and the vector table has the three
+// handlers below.
 #include "moving/moving.h"
 
 #include "hal/input.h" // HAL_IN_HOME
@@ -32,7 +33,7 @@ void part_begin(void) {
     REG(GPIOA + 0x00) |= 0xa0;               // PA2, PA3: their other function, …
     REG(GPIOA + 0x20) |= 0x7700;             // number 7
     REG(GPIOB + 0x00) |= 0x11515;            // out: PB0 … 2, PB4 … 6, PB8
-    REG(GPIOC + 0x0c) |= 0x155;              // in, pulled up: a closed switch opens to 1
+    REG(GPIOC + 0x0c) |= 0x555;              // in, pulled up: a closed switch opens to 1
     REG(USART2 + 0x08) = UART_HZ / BAUD;
     REG(USART2 + 0x0c) = 1u << 13 | 1u << 5 | 1u << 3 | 1u << 2; // on, receives, sends
     REG(TIM2 + 0x2c) = TIMER_HZ / MOVING_FAST_HZ - 1u;
@@ -56,7 +57,7 @@ uint32_t part_inputs(void) {
     const uint32_t pins = REG(GPIOC + 0x10);
     const uint32_t homes = pins & 7u;
     return homes << HAL_IN_HOME | homes << HAL_IN_LIMIT | (pins >> 3 & 1u) << HAL_IN_PROBE
-           | (pins >> 4 & 1u) << HAL_IN_EMERGENCY;
+           | (pins >> 4 & 1u) << HAL_IN_EMERGENCY | (pins >> 5 & 1u) << HAL_IN_SLOW;
 }
 
 void part_drives(uint32_t on) { REG(GPIOB + 0x18) = on ? 1u << 8 : 1u << 24; }

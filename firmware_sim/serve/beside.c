@@ -26,7 +26,7 @@ static uint32_t is_on(const inputs_t *inputs, uint32_t input) {
 
 static void alarm(serve_t *self, alarm_t code) {
     const int32_t number = (int32_t)code;
-    if (self->locked != code) serve_say_form(self, "ALARM:@\n", &number);
+    if (self->locked != code) serve_say_form(self, SERVE_SAY_ALARM, &number);
     self->locked = (uint8_t)code;
 }
 
@@ -44,7 +44,8 @@ static int begin_probe(serve_t *self) {
     if (self->line.probes == SERVE_ASKS) return 1;
     if (is_on(inputs, HAL_IN_PROBE) != waits_open(self)) {
         alarm(self, ALARM_PROBE_BEFORE);
-        return 2;
+        serve_answer(self);
+        return 0;
     }
     inputs->halt.periods = 0;
     inputs_watch(inputs, waits_open(self) ? 0 : probe, waits_open(self) ? probe : 0);
@@ -54,8 +55,8 @@ static int begin_probe(serve_t *self) {
 static int say_probe(serve_t *self) {
     const inputs_t *const inputs = self->inputs;
     const int found = inputs->probed != 0;
-    serve_say_axes(self, "[PRB:", inputs->probe_at, NULL);
-    serve_say(self, found ? ":1]\n" : ":0]\n");
+    serve_say_axes(self, SERVE_SAY_PROBE, inputs->probe_at, NULL);
+    serve_say(self, SERVE_SAY_MISSED + (uint32_t)found);
     return 1;
 }
 
@@ -66,6 +67,7 @@ static void end_probe(serve_t *self) {
         return;
     }
     const int found = inputs->halt.periods > 0;
+    self->probe = self->line.probes;
     inputs->probed = (uint32_t)found;
     memcpy(inputs->probe_at, found ? inputs->halt.at : serve_seen(self)->pose.axis,
            sizeof inputs->probe_at);
@@ -94,7 +96,7 @@ static void go_home(serve_t *self) {
                                      [INPUTS_RACKED] = ALARM_RACKED};
     if (result == INPUTS_DONE) self->locked = 0;
     else alarm(self, (alarm_t)alarms[result]);
-    nck_set_override(self->nck, self->feed * NCK_PERCENT, self->rapid * NCK_PERCENT);
+    serve_override(self);
     serve_answer(self);
 }
 
@@ -164,7 +166,7 @@ static int say_pins(serve_t *self) {
     const inputs_t *const inputs = self->inputs;
     const uint32_t pins = nck_fence_load(&inputs->pins);
     const uint32_t axes = (pins >> HAL_IN_LIMIT | pins >> HAL_IN_HOME) & AXES;
-    serve_say_letters(self, "|Pn:", "PXYZABCUVWDE",
+    serve_say_letters(self, SERVE_SAY_PINS,
                       is_on(inputs, HAL_IN_PROBE) | axes << 1 | is_on(inputs, HAL_IN_DOOR) << DOOR
                           | is_on(inputs, HAL_IN_EMERGENCY) << EMERGENCY);
     return 0;
@@ -220,5 +222,5 @@ void serve_switches(serve_t *self, inputs_t *inputs) {
     inputs_watch(inputs, 0, 0);
     if (!inputs->set.homes) return;
     self->locked = SERVE_NOT_HOMED;
-    serve_say(self, "[MSG:'$H'|'$X' to unlock]\n");
+    serve_say(self, SERVE_SAY_LOCKED);
 }

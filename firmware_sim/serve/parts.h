@@ -28,7 +28,7 @@ enum { SERVE_ASKS = 66 };
 // Real-time bytes; those that stop come first.
 typedef enum serve_signal {
     SERVE_HOLD = 0, SERVE_DOOR = 1, SERVE_CANCEL = 2, SERVE_RESET = 3, SERVE_REPORT = 4,
-    SERVE_RESUME = 5, SERVE_MODES = 6, SERVE_FLOOD = 7, SERVE_MIST = 8,
+    SERVE_RESUME = 5, SERVE_MODES = 6, SERVE_MIST = 7, SERVE_FLOOD = 8,
     SERVE_OVERRIDE = 9 // and above: 0x90 …
 } serve_signal_t;
 
@@ -36,34 +36,65 @@ typedef enum serve_signal {
 typedef struct serve_number {
     uint32_t whole, thousandths; // of its size
     uint32_t negative;
+    uint32_t said;               // 0: there is no digit
 } serve_number_t;
 
-// words.c: a number at *at, which moves behind it. Returns 0 if there is none. Cost: linear.
-int serve_number(const char **at, serve_number_t *out);
+// words.c: the number at a place. Returns the place behind it. Cost: linear.
+const char *serve_number(const char *at, serve_number_t *out);
 
-// dollar.c: a line that begins with $, but for a jog's. Returns 0, or its error.
-uint8_t serve_command(serve_t *self);
+// What is behind the $. Those of one letter, or none, stand first; those from SETTINGS on need
+// rest, but for HELP.
+typedef enum serve_command {
+    SERVE_DOLLAR_MODES, SERVE_DOLLAR_CHECK, SERVE_DOLLAR_UNLOCK, SERVE_DOLLAR_SETTINGS,
+    SERVE_DOLLAR_OFFSETS, SERVE_DOLLAR_HOME, SERVE_DOLLAR_HELP, SERVE_DOLLAR_BUILD,
+    SERVE_DOLLAR_LINES, SERVE_DOLLAR_SLEEP, SERVE_DOLLAR_RESTORE, SERVE_DOLLAR_SETS
+} serve_command_t;
 
-// report.c: say a text, in which \n ends a line; the same, whose @ stand for whole numbers, and %
-// for those in thousandths; begin the next report anew.
-void serve_say(serve_t *self, const char *text);
-void serve_say_form(serve_t *self, const char *form, const int32_t *values);
-void serve_forget(serve_t *self);
+enum { SERVE_RESTORE = 4 }; // RST=
 
-// report.c: the letters whose bits are set, from the lowest on; a text before them, if any is.
-void serve_say_letters(serve_t *self, const char *before, const char *letters, uint32_t bits);
+// words.c: which one it is. Cost: linear.
+serve_command_t serve_command_of(const char *name);
 
-// report.c: the modes at the tool, as 0x83 asks for them.
-void serve_say_executed(serve_t *self);
+// words.c: a length or angle [mm, deg]. Cost: constant.
+double serve_measure(const nck_machine_t *machine, int axis, int64_t nm);
 
-// report.c: the whole status; modes; the parameters of $#. The last two return 0.
+// dollar.c: a line that begins with $, but for a jog's; its error is the line's.
+void serve_command(serve_t *self);
+
+// What is said, by its place in the table of report.c. There @ is a whole number, % one in
+// thousandths, \n ends a line.
+typedef enum serve_text {
+    SERVE_SAY_OK, SERVE_SAY_BANNER, SERVE_SAY_ENDED, SERVE_SAY_ERROR, SERVE_SAY_ALARM,
+    SERVE_SAY_LOCKED, SERVE_SAY_UNLOCKED, SERVE_SAY_CHECKS, SERVE_SAY_CHECKS_NOT,
+    SERVE_SAY_RESTORED, SERVE_SAY_HELP, SERVE_SAY_BUILD, SERVE_SAY_LINES, SERVE_SAY_SLEEPS,
+    SERVE_SAY_SETTING, SERVE_SAY_MEASURE,
+    SERVE_SAY_STATES, // and ten more
+    SERVE_SAY_BEGIN = SERVE_SAY_STATES + 11,
+    SERVE_SAY_PLACE, SERVE_SAY_MACHINE_PLACE, SERVE_SAY_ROOM, SERVE_SAY_LINE, SERVE_SAY_SPEED,
+    SERVE_SAY_ZERO, SERVE_SAY_OVERRIDES, SERVE_SAY_ACCESSORIES, SERVE_SAY_ACCESSORY_LETTERS,
+    SERVE_SAY_END, SERVE_SAY_PINS, SERVE_SAY_PIN_LETTERS, SERVE_SAY_COMMA, SERVE_SAY_MODES,
+    SERVE_SAY_TENTH, SERVE_SAY_MORE_MODES, SERVE_SAY_MIST, SERVE_SAY_FLOOD, SERVE_SAY_DRY,
+    SERVE_SAY_LAST_MODES, SERVE_SAY_SYSTEM, SERVE_SAY_COLON, SERVE_SAY_CLOSE, SERVE_SAY_LENGTH,
+    SERVE_SAY_PROBE, SERVE_SAY_MISSED, SERVE_SAY_TOUCHED
+} serve_text_t;
+
+// report.c: say a text; one with numbers; begin the next report anew.
+void serve_say(serve_t *self, uint32_t text);
+void serve_say_form(serve_t *self, uint32_t text, const int32_t *values);
+static inline void serve_forget(serve_t *self) { self->wco_in = self->ov_in = 0; }
+
+// report.c: the letters whose bits are set, those of the text behind before, from the lowest on;
+// before them that, if any is.
+void serve_say_letters(serve_t *self, uint32_t before, uint32_t bits);
+
+// report.c: the whole status; modes, or (1) those at the tool; the parameters of $#.
 void serve_say_status(serve_t *self);
-uint8_t serve_say_modes(serve_t *self);
-uint8_t serve_say_offsets(serve_t *self);
+void serve_say_modes(serve_t *self, int at_tool);
+void serve_say_offsets(serve_t *self);
 
 // report.c: where the axes are, counted from a zero, or from the machine's where that is NULL;
 // without a place, the zero.
-void serve_say_axes(serve_t *self, const char *before, const double *at, const int64_t *zero_nm);
+void serve_say_axes(serve_t *self, uint32_t before, const double *at, const int64_t *zero_nm);
 
 // report.c: lines of $$, of whole numbers and of others.
 void serve_say_setting(serve_t *self, int32_t number, int32_t value);
@@ -72,6 +103,9 @@ void serve_say_measure(serve_t *self, int32_t number, double value);
 // serve.c: the line in work is over. Hold as by !, or by a door. Cost: constant.
 void serve_answer(serve_t *self);
 void serve_hold(serve_t *self, int door);
+
+// serve.c: the overrides in force. Cost: constant.
+void serve_override(serve_t *self);
 
 // serve.c: ask who knows the switches. Cost: that of the answer.
 int serve_beside(serve_t *self, uint32_t event);

@@ -8,7 +8,7 @@
 enum { BEHIND_C2 = 4, FEED = 0x90, SPINDLE_LAST = 0x9d };
 
 // In the order of serve_signal_t.
-static const char signals[] = {'!', '\x84', '\x85', '\x18', '?', '~', '\x83', '\xa0', '\xa1'};
+static const char signals[] = {'!', '\x84', '\x85', '\x18', '?', '~', '\x83', '\xa1', '\xa0'};
 
 // A letter outside of ASCII counts for nothing, though its later bytes look like signals. C2 and a
 // byte below A0 are no letter but a signal, as senders write it that know text alone.

@@ -14,7 +14,6 @@ enum {
     WHOLE = 100       // [%]
 };
 
-static const char banner[] = "\nGrbl 1.1f ['$' for help]\n";
 static const char at_reset[] = "G92.1G49G54M5M9\n"; // what a reset undoes
 enum { AT_END = 8 };                               // from there on: the end of a program, too
 
@@ -29,7 +28,7 @@ void serve_tick(serve_t *self, const nck_pose_t *pose) {
     serve_seen_t *const seen = &self->seen[next];
     seen->pose = *pose;
     seen->moves = pose->v > 0.0 || pose->state == NCK_TICK_MOVE;
-    seen->idle = (uint8_t)nck_is_idle(self->nck);
+    seen->goes = !nck_is_idle(self->nck);
     nck_fence_store(&self->tick.now, next);
     nck_fence_store(&self->tick.ticks, self->tick.ticks + 1);
 }
@@ -50,7 +49,7 @@ void serve_output(void *user, const nck_output_t *output) {
     if (output->kind == NCK_OUTPUT_M) switch_code(self, value);
 }
 
-uint32_t serve_spindle(const serve_t *self) { return self->spindle; }
+uint32_t serve_spindle(const serve_t *self) { return (uint32_t)self->spindle; }
 
 uint32_t serve_coolant(const serve_t *self) {
     return nck_fence_load(&self->tick.coolant) ^ self->turned;
@@ -68,14 +67,18 @@ static void look(serve_t *self) {
     nck_queue(self->nck, &queue);
     const serve_seen_t *const seen = serve_seen(self);
     const uint32_t left = queue.segs + queue.outputs + queue.smooth + queue.text;
-    self->text_waits = queue.text != 0;
-    self->idle = left == 0 && seen->idle && !seen->moves;
+    self->text_waits = (uint8_t)queue.text;
+    self->moves = seen->moves;
+    self->goes = seen->goes;
+    self->tick_is = seen->pose.state;
+    self->idle = !(left | seen->goes | seen->moves);
 }
 
 // Jogs are deaf to overrides.
-static void override(serve_t *self) {
-    if (self->jogging) nck_set_override(self->nck, WHOLE * NCK_PERCENT, WHOLE * NCK_PERCENT);
-    else nck_set_override(self->nck, self->feed * NCK_PERCENT, self->rapid * NCK_PERCENT);
+void serve_override(serve_t *self) {
+    const uint32_t feed = self->jogging ? WHOLE : (uint32_t)self->feed;
+    const uint32_t rapid = self->jogging ? WHOLE : (uint32_t)self->rapid;
+    nck_set_override(self->nck, feed * NCK_PERCENT, rapid * NCK_PERCENT);
 }
 
 void serve_brake(serve_t *self, serve_then_t then) {
@@ -84,29 +87,37 @@ void serve_brake(serve_t *self, serve_then_t then) {
     self->then = (uint8_t)then;
 }
 
-static void reset(serve_t *self) {
-    if (self->phase == SERVE_HOMES) (void)serve_beside(self, SERVE_AT_BREAK);
+static void drop_input(serve_t *self) {
     nck_fence_store(&self->in.tail, nck_fence_load(&self->in.head));
-    nck_fence_store(&self->in.lost, 0);
-    memset(&self->line, 0, sizeof self->line);
+}
+
+static void clear_line(serve_t *self) { memset(&self->line, 0, sizeof self->line); }
+
+static void begin(serve_t *self) {
     self->held = self->door = self->checks = self->sleeps = self->waits = self->turned = 0;
     self->feed = self->rapid = self->spindle = WHOLE;
+}
+
+static void reset(serve_t *self) {
+    if (self->phase == SERVE_HOMES) (void)serve_beside(self, SERVE_AT_BREAK);
+    drop_input(self);
+    nck_fence_store(&self->in.lost, 0);
+    clear_line(self);
+    begin(self);
     serve_brake(self, SERVE_THEN_BANNER);
 }
 
-// Jogs are executed, or one is on its way to the kernel.
-static int is_jogging(const serve_t *self) {
-    return self->jogging || (self->line.jogs && self->phase != SERVE_READS);
-}
-
-static void cancel_jog(serve_t *self) {
-    if (!is_jogging(self) || self->phase == SERVE_BRAKES) return;
-    self->waits = self->phase != SERVE_READS;
-    serve_brake(self, SERVE_THEN_NOTHING);
+// Returns 1 if jogs are executed, or one is on its way to the kernel.
+static int cancel_jog(serve_t *self) {
+    if (!self->jogging && (!self->line.jogs || self->phase == SERVE_READS)) return 0;
+    if (self->phase != SERVE_BRAKES) {
+        self->waits = self->phase != SERVE_READS;
+        serve_brake(self, SERVE_THEN_NOTHING);
+    }
+    return 1;
 }
 
 void serve_hold(serve_t *self, int door) {
-    const int jogs = is_jogging(self);
     if (self->phase == SERVE_HOMES) {
         (void)serve_beside(self, SERVE_AT_BREAK);
         self->waits = 1;
@@ -114,45 +125,43 @@ void serve_hold(serve_t *self, int door) {
     }
     if (self->checks || self->locked || self->sleeps) return;
     if (door) self->door = 1;
-    cancel_jog(self);
-    if (!jogs && self->phase != SERVE_BRAKES) self->held = 1;
+    if (!cancel_jog(self) && self->phase != SERVE_BRAKES) self->held = 1;
 }
 
 static void resume(serve_t *self) {
-    const int waits = serve_seen(self)->pose.state == NCK_TICK_WAIT;
-    const int rests = self->held || waits;
+    const int waits = self->tick_is == NCK_TICK_WAIT;
     if (serve_beside(self, SERVE_AT_RESUME)) return;
+    if ((self->held || waits) && self->phase != SERVE_BRAKES) nck_resume(self->nck);
     self->held = self->door = 0;
-    if (rests && self->phase != SERVE_BRAKES) nck_resume(self->nck);
 }
 
 // 0x90 … 0x94 the feed, 0x95 … 0x97 rapids, 0x99 … 0x9d the spindle.
 static void change_override(serve_t *self, uint32_t code) {
     enum { LEAST = 10, MOST = 200, RAPIDS = 5, NONE = 8, SPINDLE = 9 };
     static const int8_t steps[] = {0, 10, -10, 1, -1};
-    uint8_t *const percent = code < RAPIDS ? &self->feed : &self->spindle;
+    int32_t *const percent = code < RAPIDS ? &self->feed : &self->spindle;
     if (code >= RAPIDS && code < NONE) {
-        self->rapid = (uint8_t)(WHOLE >> (code - RAPIDS));
+        self->rapid = WHOLE >> (code - RAPIDS);
     } else if (code != NONE) {
         const int step = steps[code < RAPIDS ? code : code - SPINDLE];
         const int next = step == 0 ? WHOLE : *percent + step;
-        *percent = (uint8_t)(next < LEAST ? LEAST : next > MOST ? MOST : next);
+        *percent = next < LEAST ? LEAST : next > MOST ? MOST : next;
     }
     self->ov_in = 0;
-    override(self);
+    serve_override(self);
 }
 
 static void obey(serve_t *self, uint32_t signal) {
     switch (signal) {
-    case SERVE_HOLD: serve_hold(self, 0); break;
-    case SERVE_DOOR: serve_hold(self, 1); break;
-    case SERVE_CANCEL: cancel_jog(self); break;
+    case SERVE_HOLD:
+    case SERVE_DOOR: serve_hold(self, signal == SERVE_DOOR); break;
+    case SERVE_CANCEL: (void)cancel_jog(self); break;
     case SERVE_RESET: reset(self); break;
     case SERVE_REPORT: serve_say_status(self); break;
     case SERVE_RESUME: resume(self); break;
-    case SERVE_MODES: serve_say_executed(self); break;
-    case SERVE_FLOOD: self->turned ^= 2; break;
-    case SERVE_MIST: self->turned ^= 1; break;
+    case SERVE_MODES: serve_say_modes(self, 1); break;
+    case SERVE_MIST:
+    case SERVE_FLOOD: self->turned ^= (uint8_t)(signal - SERVE_MODES); break; // bit 0, bit 1
     default: change_override(self, signal - SERVE_OVERRIDE); break;
     }
 }
@@ -169,25 +178,20 @@ static int hear(serve_t *self) {
 
 // ---- lines
 
-static void clear_line(serve_t *self) {
-    memset(&self->line, 0, sizeof self->line);
+static void begin_line(serve_t *self) {
+    clear_line(self);
     self->phase = SERVE_READS;
     self->silence = nck_fence_load(&self->tick.ticks);
 }
 
 // The line in work is over.
 void serve_answer(serve_t *self) {
-    if (self->line.error != 0 && !self->line.own) {
-        const int32_t error = self->line.error;
-        serve_say_form(self, "error:@\n", &error);
-    } else if (self->then == SERVE_THEN_BANNER) {
-        serve_forget(self);
-        serve_say(self, banner);
-    } else if (self->then == SERVE_THEN_ENDED || !self->line.own) {
-        serve_say(self, self->then == SERVE_THEN_ENDED ? "[MSG:Pgm End]\nok\n" : "ok\n");
-    }
+    const int32_t error = self->line.own ? 0 : self->line.error;
+    const uint32_t text = error != 0 ? SERVE_SAY_ERROR : SERVE_SAY_OK + (uint32_t)self->then;
+    if (self->then == SERVE_THEN_BANNER) serve_forget(self);
+    if (!self->line.own || self->then == SERVE_THEN_BANNER) serve_say_form(self, text, &error);
     self->then = SERVE_THEN_OK;
-    clear_line(self);
+    begin_line(self);
 }
 
 static void collect(serve_t *self, char byte) {
@@ -224,11 +228,13 @@ static int read_line(serve_t *self) {
 
 // Text of our own goes the way of a line.
 static int give_own(serve_t *self) {
-    const uint32_t from = self->then == SERVE_THEN_BANNER ? 0 : AT_END;
-    clear_line(self);
-    self->line.size = sizeof at_reset - 1 - from;
+    const int resets = self->then == SERVE_THEN_BANNER;
+    const uint32_t from = resets ? 0 : AT_END;
+    const uint8_t own = resets || self->line.own;
+    begin_line(self);
+    self->line.size = (uint8_t)(sizeof at_reset - 1 - from);
     memcpy(self->text, at_reset + from, self->line.size);
-    self->line.own = 1;
+    self->line.own = own;
     self->line.does = SERVE_LATE;
     self->phase = SERVE_GIVES;
     return 1;
@@ -249,22 +255,21 @@ static uint8_t begin_code(serve_t *self) {
 
 // A line is complete. Returns 1 if the kernel is to have it; else it is answered by its error, or
 // by ok where that is 0.
-static int begin_line(serve_t *self) {
-    const char *const text = self->text;
-    const uint32_t size = self->line.size;
+static int end_line(serve_t *self) {
+    char *const text = self->text;
     self->line.error = 0;
+    text[self->line.size] = '\0';
     if (self->line.overflow || nck_fence_load(&self->in.lost)) self->line.error = SERVE_E_LENGTH;
-    else if (size == 0) return 0;
+    else if (*text == '\0') return 0;
     else if (self->sleeps) self->line.error = SERVE_E_LOCKED;
-    else if (size > 3 && memcmp(text, "$J=", 3) == 0) self->line.error = begin_jog(self);
     else if (*text != '$') self->line.error = begin_code(self);
+    else if (text[1] == 'J' && text[2] == '=') self->line.error = begin_jog(self);
     else {
-        self->text[size] = '\0';
-        self->line.error = serve_command(self);
+        serve_command(self);
         return 0;
     }
     if (self->line.error != 0) return 0;
-    self->text[self->line.size++] = '\n';
+    text[self->line.size++] = '\n';
     return 1;
 }
 
@@ -272,7 +277,7 @@ static int begin_line(serve_t *self) {
 static void be_patient(serve_t *self, nck_status_t status) {
     const uint32_t ticks = nck_fence_load(&self->tick.ticks) - self->silence;
     if (self->flushed || status != NCK_EMPTY || ticks < QUIET_TICKS) return;
-    if (serve_seen(self)->moves) return;
+    if (self->moves) return;
     nck_flush(self->nck);
     self->flushed = 1;
 }
@@ -282,15 +287,15 @@ static int read(serve_t *self, nck_status_t status) {
     self->renews = 0;
     if (self->jogging && self->idle) {
         self->jogging = 0;
-        override(self);
+        serve_override(self);
     }
     if (!read_line(self)) {
-        if (self->in.tail == nck_fence_load(&self->in.head)) nck_fence_store(&self->in.lost, 0);
+        nck_fence_store(&self->in.lost, 0); // the ring was empty
         be_patient(self, status);
         return 0;
     }
     self->phase = SERVE_GIVES;
-    if (begin_line(self)) return 1;
+    if (end_line(self)) return 1;
     if (self->phase == SERVE_GIVES) serve_answer(self);
     return 1;
 }
@@ -300,9 +305,7 @@ static int ends_program(const serve_t *self) { return (self->line.does & SERVE_E
 // Returns 1 if the kernel has taken it.
 static int give(serve_t *self) {
     size_t used = 0;
-    const int goes = self->line.probes ? serve_beside(self, SERVE_AT_PROBE) : 1;
-    if (goes == 2) serve_answer(self);
-    if (goes != 1) return 0;
+    if (self->line.probes && !serve_beside(self, SERVE_AT_PROBE)) return 0;
     if ((self->line.does & SERVE_SHIFTS) && !self->idle) {
         nck_flush(self->nck);
         return 0;
@@ -321,7 +324,7 @@ static int take(serve_t *self) {
     if (self->line.error != 0 || !(self->line.does & (SERVE_LATE | SERVE_ENDS))) {
         if (self->line.jogs && self->line.error == 0) {
             self->jogging = 1;
-            override(self);
+            serve_override(self);
         }
         serve_answer(self);
         return 1;
@@ -339,25 +342,20 @@ static int settle(serve_t *self, nck_status_t status) {
         return 1;
     }
     if (status != NCK_DONE || nck_begin(self->nck) != NCK_OK) return 0;
-    self->then = self->line.own ? SERVE_THEN_OK : SERVE_THEN_ENDED;
+    self->then = SERVE_THEN_ENDED;
     self->phase = SERVE_OWNS;
     return 1;
 }
 
 static int end_brake(serve_t *self) {
     const int resets = self->then == SERVE_THEN_BANNER;
-    if ((resets ? nck_begin(self->nck) : nck_go_on(self->nck)) != NCK_OK) return 0;
+    if ((resets ? nck_begin : nck_go_on)(self->nck) != NCK_OK) return 0;
     self->jogging = self->idle = 0;
     self->held = self->door; // a jog is over; a door stays
-    self->flushed = 1;
-    override(self);
-    if (resets) {
-        self->phase = SERVE_OWNS;
-        return 1;
-    }
-    self->then = SERVE_THEN_OK;
-    self->phase = SERVE_READS;
-    self->renews = 1;
+    self->flushed = self->renews = 1;
+    serve_override(self);
+    self->phase = resets ? SERVE_OWNS : SERVE_READS;
+    if (!resets) self->then = SERVE_THEN_OK;
     if (self->waits) serve_answer(self);
     self->waits = 0;
     return 1;
@@ -365,27 +363,25 @@ static int end_brake(serve_t *self) {
 
 // The path has ended though no line has said so. Returns 1 if it goes on.
 static int revive(serve_t *self) {
-    if (!serve_seen(self)->idle || nck_go_on(self->nck) != NCK_OK) return 0;
+    if (self->goes || nck_go_on(self->nck) != NCK_OK) return 0;
     if (self->phase == SERVE_TAKES) self->line.error = SERVE_E_CODE;
     return 1;
 }
 
 // The line in work has ended the program.
 static int has_ended(const serve_t *self) {
-    if (!ends_program(self)) return 0;
-    return self->phase == SERVE_SETTLES || (self->phase == SERVE_TAKES && !self->text_waits);
+    return ends_program(self) && self->phase >= SERVE_TAKES && !self->text_waits;
 }
 
 static int follow(serve_t *self, nck_status_t status) {
-    const int ends = status == NCK_DONE && has_ended(self);
-    if (status == NCK_DONE && !ends && self->phase != SERVE_BRAKES) return revive(self);
+    if (self->phase == SERVE_BRAKES) return end_brake(self);
+    if (status == NCK_DONE && !has_ended(self)) return revive(self);
     switch (self->phase) {
     case SERVE_READS: return read(self, status);
     case SERVE_GIVES: return give(self);
     case SERVE_TAKES: return take(self);
     case SERVE_SETTLES: return settle(self, status);
-    case SERVE_OWNS: return give_own(self);
-    default: return end_brake(self);
+    default: return give_own(self);
     }
 }
 
@@ -404,14 +400,13 @@ static void keep(serve_t *self) {
 }
 
 nck_status_t serve_step(serve_t *self) {
-    const int heard = hear(self);
     const nck_status_t status = nck_prep(self->nck);
     find(self);
     look(self);
+    const int heard = hear(self);
     const int went = serve_beside(self, SERVE_AT_STEP) ? 0 : follow(self, status);
     keep(self);
-    if (heard || went || status <= NCK_OK) return NCK_OK;
-    return status == NCK_EMPTY ? NCK_EMPTY : NCK_FULL;
+    return heard || went || status < NCK_OK ? NCK_OK : status;
 }
 
 void serve_join(serve_t *self) {
@@ -419,12 +414,11 @@ void serve_join(serve_t *self) {
 }
 
 void serve_part(serve_t *self) {
-    nck_fence_store(&self->in.tail, nck_fence_load(&self->in.head));
+    drop_input(self);
     if (self->phase == SERVE_READS || (self->phase == SERVE_BRAKES && !self->waits)) {
-        memset(&self->line, 0, sizeof self->line);
+        clear_line(self);
     } else {
         self->line.own = 1;
-        if (self->then == SERVE_THEN_ENDED) self->then = SERVE_THEN_OK;
     }
     if (!self->idle && self->then != SERVE_THEN_BANNER) serve_hold(self, 0); // a reset goes on
 }
@@ -434,13 +428,13 @@ nck_status_t serve_init(serve_t *self, nck_t *nck, nck_decode_t *room, const ser
     self->nck = nck;
     self->port = *port;
     self->mask = REPORTS;
-    self->feed = self->rapid = self->spindle = WHOLE;
+    begin(self);
     self->flushed = 1;
     nck_pose_t pose;
     nck_axes_t axes;
     (void)nck_position(nck, &pose, &axes);
     serve_tick(self, &pose);
     self->idle = 1;
-    serve_say(self, banner);
+    serve_say(self, SERVE_SAY_BANNER);
     return nck_begin_session(nck, room);
 }

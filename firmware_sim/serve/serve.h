@@ -43,9 +43,8 @@ typedef enum serve_does {
     SERVE_LATE = 1,    // ok when it is executed
     SERVE_ENDS = 2,    // M2 or M30
     SERVE_SHIFTS = 4,  // it moves the work's zero, which waits for all before it
-    SERVE_MOVES = 8,   // G0 … G3, G80: probing is over
-    SERVE_HAS_AXES = 16, // its axes are no way to go
-    SERVE_JOGS = 32    // a jog may have it
+    SERVE_HAS_AXES = 8, // its axes are for something else than a probe
+    SERVE_JOGS = 16    // a jog may have it
 } serve_does_t;
 
 // What comes when the line in work, or the brake, is over.
@@ -60,13 +59,13 @@ typedef enum serve_then {
 typedef struct serve_seen {
     nck_pose_t pose;
     uint8_t moves;           // 1: the path does
-    uint8_t idle;            // 1: nck_is_idle
+    uint8_t goes;            // 1: it is not nck_is_idle
 } serve_seen_t;
 
 // When whoever knows the machine's switches is asked. What is not said returns 0.
 typedef enum serve_event {
     SERVE_AT_STEP = 0,    // in every step; 1: the step is done
-    SERVE_AT_PROBE = 1,   // a line that probes is to go: 1 now, 0 later, 2 never
+    SERVE_AT_PROBE = 1,   // a line that probes is to go: 1 now, 0 later, or it is over
     SERVE_AT_PROBED = 2,  // it is over
     SERVE_AT_HOME = 3,    // $H: its error
     SERVE_AT_BREAK = 4,   // $H is broken off
@@ -79,27 +78,6 @@ typedef enum serve_event {
 
 // All of it: one static instance. What is asked for often stands first, which makes code smaller.
 typedef struct serve {
-    uint8_t phase;               // serve_phase_t
-    uint8_t then;                // serve_then_t
-    uint8_t held;                // 1: by !, until ~
-    uint8_t door;                // 1: by 0x84, until ~
-    uint8_t jogging;             // 1: what is executed are jogs
-    uint8_t checks;              // 1: $C
-    uint8_t locked;              // 1: an alarm
-    uint8_t sleeps;              // 1: $SLP
-    uint8_t flushed;             // 1: that nothing follows for now was said
-    uint8_t waits;               // 1: a line is to be answered behind the brake
-    uint8_t renews;              // 1: no line is read until the tick has begun anew, too
-    uint8_t after_return;        // 1: a line feed that comes next is of the line before
-    uint8_t idle;                // 1: nothing is under way, and all stands
-    uint8_t text_waits;          // 1: the line in work is not taken to its end
-    uint8_t turned;              // coolant that the operator turned over, as in serve_coolant
-    uint8_t mask;                // $10
-    uint8_t inches;              // $13
-    uint8_t feed, rapid, spindle; // overrides [%]
-    uint8_t wco_in, ov_in;       // reports until these are told again
-    uint8_t probe;               // the last G38.n
-
     struct {                     // the line in work
         uint8_t error;           // to be answered, 0: none
         uint8_t comment;         // the byte that ends the comment in work; 0: none is
@@ -108,11 +86,34 @@ typedef struct serve {
         uint8_t does;            // of serve_does_t
         uint8_t own;             // 1: nobody has sent it, or who has is gone
         uint8_t probes;          // G38.n: n; M66: 66; 0: it does not
+        uint8_t size;            // of text
         uint32_t name;           // its N word
-        uint32_t size;           // of text
     } line;
 
+    uint8_t phase;               // serve_phase_t
+    uint8_t then;                // serve_then_t
+    uint8_t jogging;             // 1: what is executed are jogs
+    uint8_t locked;              // 1: an alarm
+    uint8_t held;                // 1: by !, until ~
+    uint8_t door;                // 1: by 0x84, until ~
+    uint8_t checks;              // 1: $C
+    uint8_t sleeps;              // 1: $SLP
+    uint8_t waits;               // 1: a line is to be answered behind the brake
+    uint8_t turned;              // coolant that the operator turned over, as in serve_coolant
+    uint8_t wco_in, ov_in;       // reports until these are told again
+    uint8_t flushed;             // 1: that nothing follows for now was said
+    uint8_t renews;              // 1: no line is read until the tick has begun anew, too
+    uint8_t idle;                // 1: nothing is under way, and all stands
+    uint8_t text_waits;          // 1: the line in work is not taken to its end
+    uint8_t mask;                // $10
+    uint8_t inches;              // $13
+    uint8_t moves, goes;         // of the last tick that was seen
+    uint8_t tick_is;             // its nck_tick_state_t
+    uint8_t after_return;        // 1: a line feed that comes next is of the line before
+    uint8_t probe;               // the last G38.n that went
+
     nck_t *nck;
+    int32_t feed, rapid, spindle; // overrides [%]
     uint32_t silence;            // tick of the last line
     uint32_t told;               // a sum over the offsets that were told
 
@@ -175,7 +176,7 @@ void serve_join(serve_t *self);
 // work is dropped, and nothing is answered. Cost: constant. Context: prep.
 void serve_part(serve_t *self);
 
-// Do one bounded piece of work, nck_prep among it. Returns NCK_OK: call again; NCK_EMPTY, NCK_FULL:
+// Do one bounded piece of work, nck_prep among it. Returns NCK_OK: call again; what is positive:
 // when a byte has come or a tick has passed. Cost: as nck_prep's. Context: prep.
 nck_status_t serve_step(serve_t *self);
 

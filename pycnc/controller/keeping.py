@@ -109,14 +109,24 @@ class Keeper:
     def _remember(self):
         """Go on from the record, if there is one."""
         try:
-            record = json.loads(files.read(self._place, files.SETTINGS_MOST))
-            if (record.pop("version"), record.pop("machine")) != (_VERSION, self._machine.name):
+            record = _parsed(files.read(self._place, files.SETTINGS_MOST))
+            if (record.get("version"), record.get("machine")) != (_VERSION, self._machine.name):
                 raise ValueError("is another machine's")
             words = self._session.restore(record)
         except FileNotFoundError:
             return
-        except (OSError, ValueError, LookupError, ArithmeticError, TypeError, AttributeError,
-                errors.NckError) as cause:  # fmt: skip
-            self.notes.append(f"{self._place}: not taken: {cause}")
+        except (OSError, ValueError, errors.NckError) as cause:
+            self.notes.append(f"{self._place}: not taken: {cause}; it is written anew")
             return
         self.notes.append(f"{self._place}: {words}")
+
+
+def _parsed(data):
+    """Return the table of a record, or raise ValueError."""
+    try:
+        record = json.loads(data)
+    except RecursionError:
+        record = None
+    if not isinstance(record, dict):
+        raise ValueError("is no table of JSON")
+    return record

@@ -2,6 +2,7 @@
 """A session at a port or a pseudo-terminal, in the time of the wall clock."""
 
 import contextlib
+import errno
 import os
 import select
 import socket
@@ -34,8 +35,12 @@ class Tcp:
         try:
             self._door = socket.create_server((address, port))
         except (OSError, OverflowError) as cause:
-            raise errors.ArgumentError(f"cannot listen at {address}:{port}: {cause}; another "
-                                       "--tcp may be free", id="serve-port") from None  # fmt: skip
+            words = str(getattr(cause, "strerror", cause)).partition(" (")[0]
+            taken = getattr(cause, "errno", 0) in (0, errno.EADDRINUSE, errno.EACCES)
+            remedy = ("another --tcp may be free" if taken
+                      else "--listen takes an address of this computer")  # fmt: skip
+            raise errors.ArgumentError(f"cannot listen at {address}:{port}: {words}; {remedy}",
+                                       id="serve-port") from None  # fmt: skip
         self._door.setblocking(False)
         self._client = None
         host, number = self._door.getsockname()[:2]
@@ -111,8 +116,13 @@ class Pty:
         name = os.ttyname(slave)
         os.close(slave)
         os.set_blocking(self._master, False)
-        self._link.unlink(missing_ok=True)
-        self._link.symlink_to(name)
+        try:
+            self._link.unlink(missing_ok=True)
+            self._link.symlink_to(name)
+        except OSError as cause:
+            os.close(self._master)
+            raise errors.ArgumentError(f"cannot make {link}: {cause.strerror}: name another --pty",
+                                       id="serve-link") from None  # fmt: skip
         self.name = f"{link} ({name})"
 
     def wait(self, seconds):

@@ -7,6 +7,7 @@ from pycnc.kernel.bind import check, ffi, lib
 from pycnc.names import AXES, ROTARY_AXES, WORK_SYSTEMS
 
 _NM = Decimal(1_000_000)
+_PLACE_MOST, _COUNT_MOST = 2**63 - 1, 2**32 - 1  # of int64_t, uint32_t
 
 
 def modal_of(nck):
@@ -76,16 +77,49 @@ def record(nck, host):
     }  # fmt: skip
 
 
+def _found(said, key, kinds):
+    """Return the value of a key (``g92_nm.x``) of a record, which is of one of these types."""
+    value = said
+    for name in key.split("."):
+        if not isinstance(value, dict) or name not in value:
+            raise ValueError(f"{key}: is missing")
+        value = value[name]
+    if type(value) not in kinds:
+        words = " or ".join({int: "whole number", bool: "true", str: "text", list: "list"}[kind]
+                            for kind in kinds)  # fmt: skip
+        raise ValueError(f"{key}: {value!r:.40} is no {words}")
+    return value
+
+
+def _number(value, key, least, most):
+    if type(value) is not int or not least <= value <= most:
+        raise ValueError(f"{key}: {value!r:.40} is no whole number from {least} to {most}")
+    return value
+
+
+def _place(said, key):
+    return _number(_found(said, key, (int,)), key, -_PLACE_MOST, _PLACE_MOST)
+
+
+def _count(said, key):
+    return _number(_found(said, key, (int,)), key, 0, _COUNT_MOST)
+
+
 def restore(nck, host, said):
-    """Take a record over; return what it was, in words."""
-    modal = modal_of(nck)
-    modal.work_system = WORK_SYSTEMS.index(said["work_system"])
-    modal.tool_next, modal.tool_in = said["tool_next"], said["tool_in"]
-    modal.tool_nm = said["tool_nm"]
+    """Take a record over; return what it was, in words, or raise ValueError with the key."""
+    modal, length = modal_of(nck), _found(said, "tool_nm", (list,))
+    system = _found(said, "work_system", (str,))
+    if system not in WORK_SYSTEMS:
+        raise ValueError(f"work_system: {system!r:.40} is none")
+    modal.work_system = WORK_SYSTEMS.index(system)
+    modal.tool_next, modal.tool_in = _count(said, "tool_next"), _count(said, "tool_in")
+    if len(length) != len(modal.tool_nm):
+        raise ValueError("tool_nm: has not three numbers")
+    modal.tool_nm = [_number(each, "tool_nm", -_PLACE_MOST, _PLACE_MOST) for each in length]
     for k, at, _ in present(nck):
-        modal.position_nm[k] = said["position_nm"][at]
-        modal.g92_nm[k] = said["g92_nm"][at]
-    line, moved = int(said["line"]), bool(said["moves"])
+        modal.position_nm[k] = _place(said, f"position_nm.{at}")
+        modal.g92_nm[k] = _place(said, f"g92_nm.{at}")
+    line, moved = _count(said, "line"), _found(said, "moves", (bool,))
     check(lib.host_serve_restore(host, modal, moved))
     if not moved:
         return "the axes stand where they stood"

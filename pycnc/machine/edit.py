@@ -32,8 +32,13 @@ def put(text, values):
     Raises
     ------
     ValueError
-        A key is written in a way that this does not know; the message has the key.
+        A key is written in a way that this does not know, and the message has the key; or the text
+        is no TOML.
     """
+    try:
+        tomllib.loads(text)
+    except tomllib.TOMLDecodeError as cause:
+        raise ValueError(f"is no TOML: {cause}") from None
     for key, value in values.items():
         changed = _put_one(text, key, value)
         if _parsed(changed) != _with(_parsed(text), key, value):

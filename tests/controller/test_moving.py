@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""The files of docs/moving.md compile for their processors, and are as short as it says."""
+"""The files of docs/moving.md compile for their processors, are as short as it says, and move."""
 
 import re
 import subprocess
+from pathlib import Path
 
 import pytest
+from builds import build_c
 
 FOLDER = "firmware_sim/moving"
 CORES = {
@@ -40,3 +42,53 @@ def test_the_page_tells_how_long_they_are(root):
     for name, lines in told.items():
         text = (root / FOLDER / f"{name}.c").read_text(encoding="utf-8")
         assert len(text.splitlines()) == int(lines) <= LINES_MOST
+
+
+@pytest.fixture(scope="module")
+def machine(root, tool, tmp_path_factory):
+    """Return what plays lines to moving.c on a part in virtual time: what it says, where it is."""
+    compiler, folder = tool("gcc"), tmp_path_factory.mktemp("moving")
+    built, complaints = build_c("gcc", "sim", "nck")
+    assert not complaints, complaints
+    common = [compiler, "-std=c99", "-Wall", "-Wextra", "-Werror", "-O1", f"-I{root / 'csrc'}"]
+    common += [f"-I{root / 'firmware_sim'}"]
+    for name, options in ((f"{FOLDER}/moving.c", ["-Dmain=part_main"]),
+                          ("tests/controller/moving_part.c", [])):  # fmt: skip
+        command = [*common, *options, "-c", root / name, "-o", folder / f"{Path(name).stem}.o"]
+        subprocess.run(command, check=True)
+    program = folder / "program"
+    libraries = [built / "libsim.a", built / "libnck.a", "-lm"]
+    objects = sorted(folder.glob("*.o"))
+    command = [compiler, "-Wl,--wrap=serve_step", *objects, *libraries, "-o", program]
+    subprocess.run(command, check=True)
+
+    def play(lines, slow=0, home=1_000_000):
+        """Return answers, steps of the motors, and the period of the first one."""
+        command = [program, str(slow), str(home)]
+        done = subprocess.run(command, input="".join(f"{line}\n" for line in lines),
+                              capture_output=True, text=True, check=True)  # fmt: skip
+        told = re.search(r"steps (\S+) (\S+) (\S+), first in period (\d+)", done.stdout)
+        *steps, first = map(int, told.groups())
+        return re.findall(r"^ok|^error.*|^ALARM.*", done.stdout, re.M), steps, first
+
+    return play
+
+
+def test_it_moves_by_as_many_steps_as_it_is_told(machine):
+    lines = ["$X", "G1 X10 Y0.5 F600", "G91 G0 X-2.005 Z1", "G4 P0.1", "$J=G91 Y1 F300"]
+    answers, steps, _ = machine(lines)
+    assert answers == ["ok"] * len(lines)
+    assert steps == [1599, 300, 200]
+
+
+def test_it_waits_for_the_spindle(machine):
+    lines = ["$X", "M3 S1000", "G1 X1 F600"]
+    assert machine(lines)[2] < 200
+    answers, steps, first = machine(lines, slow=1500)
+    assert answers == ["ok"] * 3 and steps == [200, 0, 0] and 1500 <= first < 1600
+
+
+def test_it_is_homed_to_a_step(machine):
+    answers, steps, _ = machine(["$H", "G53 G0 X100"], home=4000)
+    assert answers == ["ok"] * 2
+    assert steps == [4000 - 100 * 200, 4000 - 200, 4000 - 200]

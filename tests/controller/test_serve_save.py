@@ -3,6 +3,7 @@
 
 import json
 import os
+import random
 import signal
 import subprocess
 import sys
@@ -146,6 +147,50 @@ def test_a_record_that_is_none_is_told_and_left_out(path, spoil):
     assert "not taken" in keeper.notes[0]
     talk.ask("$X")
     assert talk.ask("G1X2F900") == ["ok"]
+
+
+ODD = (None, True, -1, 2**31, 2**32, 2**63, -(2**63), 1e300, float("nan"), "", "g54", "x", [],
+       [0, 0], [0, 0, "0"], {}, {"x": 0}, {"x": None, "y": 0, "z": 0})  # fmt: skip
+
+
+def _spoil(text, draw):
+    """Return the text of a record with an odd value, a piece less, or odd bytes."""
+    kind, record = draw.random(), json.loads(text)
+    if kind < 0.5:
+        record[draw.choice(list(record))] = draw.choice(ODD)
+        return json.dumps(record)
+    if kind < 0.6:
+        record["position_nm"]["y"] = draw.choice(ODD)
+        return json.dumps(record)
+    if kind < 0.65:
+        return draw.choice("[{") * draw.choice((1, 100_000))
+    at = draw.randint(0, len(text))
+    piece = draw.choice(("", "\0", "\ufeff", "}", ",", '"', "\x80", "1e9", "\n"))
+    return text[:at] + piece + text[at + draw.choice((0, 1, 1, 30)) :]
+
+
+@pytest.mark.sample(8, quick=2)
+@pytest.mark.parametrize("seed", range(1, 301))
+def test_whatever_became_of_the_files_is_told_and_the_machine_works(path, seed):
+    draw = random.Random(seed)
+    _, keeper = session(path)
+    keeper.end()
+    place = path.with_suffix(".power.json")
+    place.write_text(_spoil(place.read_text(), draw), encoding="utf-8")
+    talk, keeper = session(path)
+    assert [note for note in keeper.notes if "not taken: " not in note] in (
+        [], [f"{place}: the axes stand where they stood"],
+        [f"{place}: the power has failed in motion, in line 0: the place of the axes is a guess"],
+    )  # fmt: skip
+    keeper.notes.clear()
+    talk.said.clear()
+    assert talk.ask("$X")[-1] == "ok" and talk.ask("$110=3000") == ["ok"]
+    text = path.read_text(encoding="utf-8")
+    at = draw.randint(0, len(text))
+    path.write_text(text[:at] + draw.choice(("", "[", "]", '"', "=", "\0", "x", "\n[[a]]\n"))
+                    + text[at + draw.choice((0, 1, 50)) :], encoding="utf-8")  # fmt: skip
+    keeper.end()
+    assert len(keeper.notes) == 1 and ("not saved: " in keeper.notes[0] or " = " in keeper.notes[0])
 
 
 def test_the_command_keeps_what_it_is_told_to(path):

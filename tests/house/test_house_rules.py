@@ -97,7 +97,7 @@ MAY_INCLUDE = {
     "adapters/linuxcnc/": ("nck/nck.h", "nck/nck_tools.h", *HOST_OF_ADAPTER),
     "tests/linuxcnc/": (),
     "tests/": ("nck/", "host/", "sim.h", "host_serve.h", "serve/", "inputs/", "check.h", "pace.h",
-                 "os/", "board/", "app/", "hal/", "pulse/", "drive/", "soft_double/"),
+                 "os/", "board/", "app/", "hal/", "pulse/", "drive/", "soft_double/", "moving/"),
     "tests/house/fuzz/": ("nck/", "host/", "sim.h", "host_serve.h"),
     "tests/qemu/": ("nck/nck_tools.h", "nck/base/link.h", "board/", "mark.h", "traffic.h",
                     "pulse/", "drive/", "host_serve.h", "uart.h"),

@@ -5,6 +5,7 @@ In the suite they are measured on one core, flash or stacks beside the rest, bot
 """
 
 import importlib.util
+import re
 
 import pytest
 import sampling
@@ -127,6 +128,43 @@ def test_lean_builds_fit_into_their_memory(size_table, measured, cores, lean, pa
         linked = measured[size_table.LINKED, name]
         limits = [flash_most[core] for core in cores]
         assert all(flash <= limit for flash, limit in zip(linked, limits, strict=True))
+
+
+# The protocol of grbl, without switches, for three axes
+
+PROTOCOL_MOST = {"m4f": 6_224, "m7": 6_144}
+SESSION_MOST = 576  # of serve_t
+
+
+def compiled(size_table, core, source, folder, *options):
+    """Return an object of firmware_sim, compiled for size for a small mill."""
+    binary, root = folder / f"{source.stem}.o", size_table.ROOT
+    definitions = [f"-D{each}" for each in size_table.definitions_of("mill")]
+    options = [*size_table.OPTIONS[core], *size_table.DIALECT, "-Os", *definitions, *options]
+    places = [f"-I{root / 'csrc'}", f"-I{root / 'firmware_sim'}"]
+    size_table.run("gcc", *options, *places, "-c", source, "-o", binary)
+    return binary
+
+
+def told_of(page):
+    """Return what the room's page tells of flash."""
+    words = r"([\d,]+) bytes of flash on a Cortex-M4F, ([\d,]+)"
+    numbers = re.search(words, page.read_text(encoding="utf-8")).groups()
+    return {core: int(number.replace(",", "")) for core, number in zip(("m4f", "m7"), numbers)}
+
+
+def test_the_protocol_fits_into_its_memory(size_table, cores, root, tmp_path):
+    folder = root / "firmware_sim" / "serve"
+    for core in cores:
+        parts = {path.stem: size_table.sizes(compiled(size_table, core, path, tmp_path))
+                 for path in sorted(folder.glob("*.c"))}  # fmt: skip
+        assert not any(ram for _, ram in parts.values())
+        flash = sum(flash for part, (flash, _) in parts.items() if part != "beside")
+        assert flash <= PROTOCOL_MOST[core]
+        assert abs(flash - told_of(folder / "README.md")[core]) <= SLACK * flash
+    probe = tmp_path / "probe.c"
+    probe.write_text('#include "serve/serve.h"\nchar size[sizeof(serve_t)];\n')
+    assert size_table.sizes(compiled(size_table, "m7", probe, tmp_path))[1] <= SESSION_MOST
 
 
 # The stack
