@@ -38,6 +38,11 @@ _POCKET = (
     "G{value} of Haas mills a pocket by a way of the control's own, which no manual says in full",
     "have the post-processor write its arcs and lines (or say G2 and G3 by yourself)",
 )
+_RING = (
+    "G{value} drills holes on a circle by the cycle in force, and there is none",
+    "say the cycle on a line before, without a hole: G81 Z-5. R2. F90. L0",
+)
+
 # id, or id:letter or id:code (:lathe) where one needs its own, → (message, help). Fields: see
 # Wording._fields.
 WORDING = {
@@ -325,6 +330,11 @@ WORDING = {
         "M{value}, of the machine's own, stands before the line that is begun at: it is not done "
         "on the way there, nor is all like it",
         "do by hand what the line needs of it",
+    ),
+    **{f"no-motion:G{code}": _RING for code in (70, 71)},
+    "unsupported:G72": (
+        "G72 of Haas drills a row of holes, and no manual says whether one is where it begins",
+        "say the row by steps: G91 X… Y… L…, or its holes by X and Y",
     ),
     "travel-end": (
         "{letter} was to reach {value:.3f} mm: it stays at {limit:.3f}, where its travel ends, as "

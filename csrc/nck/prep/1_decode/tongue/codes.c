@@ -17,7 +17,7 @@ enum {
     DRILL_Q, HOLE, HOLE_P, RADIUS, DIAMETER, TAP, TURN_PLANE, SCALE, MIRROR, DYNAMIC, INPUT,
     ANALOGUE, BEZIER, PARABOLA, NURBS, KNOTS, TURN, FACE, PECK, PASS, PASS_Q, THREAD, SCREW,
     SCREW_FANUC, LINES, SUB, COUNT, LEVEL, ROUGHNESS, EITHER,
-    HOLE_PQ, BORE, ASKED, SETS
+    HOLE_PQ, BORE, ASKED, RING, SETS
 };
 
 static const uint32_t letters_of[SETS] = {
@@ -71,6 +71,7 @@ static const uint32_t letters_of[SETS] = {
             | NCK_LETTER('I') | NCK_LETTER('P') | NCK_LETTER('R'),
     [COUNT] = NCK_LETTER('P'),
     [ASKED] = NCK_LETTER('Q'),
+    [RING] = NCK_LETTERS_XYZ | NCK_LETTERS_CENTRE | NCK_LETTER('L'),
     [EITHER] = NCK_LETTER('D') | NCK_LETTER('H'),
     [HOLE_PQ] = NCK_LETTERS_AXES | NCK_LETTER('R') | NCK_LETTER('L') | NCK_LETTER('K')
                 | NCK_LETTER('P') | NCK_LETTER('Q'),
@@ -161,6 +162,7 @@ static const code_t cycle_codes[] = {
     {L | 850, NCK_STEP_MOTION, DRILL}, {F | 850, NCK_STEP_MOTION, HOLE},
     {L | 860, NCK_STEP_MOTION, DRILL_P}, {F | 860, NCK_STEP_MOTION, HOLE_P},
     {L | 890, NCK_STEP_MOTION, DRILL_P}, {F | 890, NCK_STEP_MOTION, HOLE_P},
+    {F | 700, NCK_STEP_MOTION, RING}, {F | 710, NCK_STEP_MOTION, RING},
     {F | NCK_MOTION_SCREW, NCK_STEP_MOTION, BORE},
     {F | NCK_MOTION_BORE_BACK, NCK_STEP_MOTION, BORE},
     {L | NCK_MOTION_TAP_RIGHT, NCK_STEP_MOTION, DRILL_P},
@@ -235,7 +237,7 @@ static const uint16_t g_later[] = {
     F | 480, T | 490, T | 500, T | 501, F | T | 503, T | 510, T | 511, F | T | 512,
     F | T | 531, F | 532, F | T | 536, F | 542, F | 544, F | T | P | 600, P | 610,
     F | T | 661, T | 680, F | T | 681, F | 682, F | 683, F | 684, T | 690,
-    F | T | 691, L | F | 700, L | F | 710, L | 711, L | 712, L | F | 720, L | F | 721, L | F | 722,
+    F | T | 691, L | 700, L | 710, L | 711, L | 712, L | F | 720, L | F | 721, L | F | 722,
     F | 750, P | 760, F | 770, F | 780, F | 790, T | 810, F | T | 811, T | 820, T | 830, T | 840,
     F | T | 842, F | T | 843, T | 850, T | 860, L | T | 870, L | F | T | 880, T | 890, F | 911,
     F | T | P | 921, T | 980, T | 990, F | T | 1070, F | T | 1120, F | T | 1130, F | 1500
