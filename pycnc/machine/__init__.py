@@ -359,7 +359,7 @@ def _validate(data):
     problems += [
         (f"m.{number}", f"{lib.NCK_M_MAX} at most, and no code that the kernel executes itself")
         for number in settings.m
-        if number.isdecimal() and not _is_free(int(number), settings.dialect.base)
+        if number.isdecimal() and not _is_free(int(number), settings)
     ]
     if len(settings.m) > lib.NCK_OWN_M_MAX:
         problems.append(("m", f"{lib.NCK_OWN_M_MAX} codes at most (the table has more)"))
@@ -371,11 +371,11 @@ def _validate(data):
 _FREE = (lib.NCK_E_M_UNKNOWN, lib.NCK_E_UNSUPPORTED, lib.NCK_E_OTHER_BASE)
 
 
-def _is_free(code, base):
+def _is_free(code, settings):
     """Tell whether an M code is within range and none that the kernel executes in a language."""
     machine, decode = ffi.new("nck_machine_t *"), ffi.new("nck_decode_t *")
     lib.nck_machine_default(machine)
-    machine.dialect.base = base_number(base)
+    machine.dialect.base = base_number(settings)
     lib.nck_decode_init(decode, machine)
     line = f"M{code}\n".encode()
     lib.nck_decode_push(decode, line, len(line), ffi.new("size_t *"))

@@ -120,7 +120,7 @@ class Control(Table):
     )
     still_macros: tuple[str, ...] = Field(
         (),
-        description="Klipper: macros of the printer's own that move nothing, such as START_PRINT.",
+        description="Macros of a printer's own that move nothing, such as Klipper's START_PRINT.",
         strict=False,
     )
     steps_per_mm: ByAxis = Field(
@@ -137,9 +137,10 @@ OWNERS = {
     **dict.fromkeys(
         ("max_velocity", "max_accel", "max_z_velocity", "max_z_accel", "square_corner_velocity",
          "minimum_cruise_ratio", "instantaneous_corner_velocity", "max_extrude_only_velocity",
-         "max_extrude_only_accel", "nozzle_diameter", "filament_diameter", "resolution",
-         "still_macros"), ("klipper",),
+         "max_extrude_only_accel", "nozzle_diameter", "filament_diameter", "resolution"),
+        ("klipper",),
     ),
+    "still_macros": ("klipper", "marlin"),
     **dict.fromkeys(("arc_tolerance", "laser_mode"), GRBLS),
     **dict.fromkeys(("junction_deviation", "planner_blocks", "steps_per_mm"), (*GRBLS, "marlin")),
     "g64_without_p": ("linuxcnc",),

@@ -29,6 +29,7 @@ _DIALECTS = {
     "fanuc": lib.NCK_DIALECT_FANUC,
     "grbl": lib.NCK_DIALECT_GRBL,
     "marlin": lib.NCK_DIALECT_MARLIN,
+    "grblhal": lib.NCK_DIALECT_GRBLHAL,
 }
 _SYSTEMS = {
     None: lib.NCK_SYSTEM_OPEN,
@@ -88,7 +89,7 @@ def rows_of(settings):
     record["spindle"]["rpm_max"] = float(settings.spindle.rpm_max)
     record["spindle"]["a_max_rpm_s"] = float(settings.spindle.a_max_rpm_s)
     record["spindle_waits"] = settings.spindle.waits
-    _fill_dialect(record["dialect"], settings.dialect)
+    _fill_dialect(record["dialect"], settings)
     _fill_approach(record["approach"], settings)
     _fill_positions(record, settings)
     _fill_tools(record, settings.tool)
@@ -133,13 +134,19 @@ def _fill_path(record, path):
     record["slope"] = _SLOPES[path.slope]
 
 
-def base_number(base):
-    """Return the kernel's number of ``dialect.base``; "auto": LinuxCNC's, until a text tells."""
-    return _DIALECTS.get(base, lib.NCK_DIALECT_LINUXCNC)
+def base_number(settings):
+    """Return the kernel's number of ``dialect.base``; "auto": LinuxCNC's, until a text tells.
+
+    grblHAL has words that grbl has not.
+    """
+    base, kind = settings.dialect.base, settings.control.kind
+    name = kind if (base, kind) == ("grbl", "grblhal") else base
+    return _DIALECTS.get(name, lib.NCK_DIALECT_LINUXCNC)
 
 
-def _fill_dialect(row, dialect):
-    row["base"] = base_number(dialect.base)
+def _fill_dialect(row, settings):
+    dialect = settings.dialect
+    row["base"] = base_number(settings)
     row["system"] = _SYSTEMS[dialect.system]
     row["feed"] = _FEEDS[dialect.feed]
     row["d_offset"] = _D_OFFSETS[dialect.d_offset]

@@ -190,7 +190,7 @@ class Dialect(Table):
     base: Literal["linuxcnc", "fanuc", "grbl", "marlin", "auto"] = Field(
         "linuxcnc",
         description="The family of dialects that the text belongs to; `auto`: as the text looks, "
-        "which a note tells.",
+        "which a note tells. `grbl` is grblHAL's where that is the control's kind.",
     )
     system: Literal["A", "B", "C"] | None = Field(
         None,

@@ -14,6 +14,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 _MOST_BYTES = 16 << 20  # of all files that are included; configurations have kilobytes
+_PAGES = frozenset({"mainsail.cfg", "fluidd.cfg", "timelapse.cfg"})  # macros of Klipper's pages
+_BESIDE = "put it beside, or take the line out if no axis is in it"
 _MOST_FILES = 100  # files that are included, one in another or again
 _MARKS = {  # first bytes of a file → how the rest is written
     codecs.BOM_UTF8: "utf-8", codecs.BOM_UTF16_LE: "utf-16-le", codecs.BOM_UTF16_BE: "utf-16-be",
@@ -117,8 +119,8 @@ class _Included:
                 self._open.append(path.resolve())
                 yield _rows(decode(path.read_bytes()), shown), path.parent
                 self._open.pop()
-            elif must:
-                self.form.problems.append((row.place, f"{row.text}: {name}: {words}"))
+            elif must and (path.name not in _PAGES or path.exists()):
+                self.form.problems.append((row.place, f"{row.text}: {name}: {words}; {_BESIDE}"))
             else:
                 self.form.note(row, f"{words}: not read")
 
@@ -283,6 +285,8 @@ class _Klipper:
         if not names:
             self.form.rows.append(row)
             self.form.note(row, "no such files")
+        if any(Path(name).name in _PAGES and not Path(folder, name).exists() for name in names):
+            self.form.rows.append(row)  # where that is told
         for rows, inner in self.files.rows(row, names, folder, must=True):
             self.read(rows, inner)
             self.end_value()

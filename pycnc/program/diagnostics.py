@@ -26,7 +26,8 @@ _TONGUES = (
     (lib.NCK_TONGUE_GRBL, "grbl"),
     (lib.NCK_TONGUE_MARLIN, "marlin"),
 )
-_WARNINGS = frozenset({"abort", "after-end", "comp-left", "comp-way"})
+_WARNINGS = frozenset({"abort", "after-end", "comp-left", "comp-way", "own-left",
+                       "travel-end"})  # fmt: skip
 KEYS = ("file", "line", "col", "id", "severity", "message", "help")  # of Diagnostic.as_dict
 
 

@@ -51,7 +51,7 @@ def _print(lines, machine):
     found = _first(lines, _PRINTS)
     if not found or (machine.settings.dialect.base == "marlin" and "u" in machine.axes):
         return None
-    return Kind("a print", *found, "-m printer", _STRANGE)
+    return Kind("a print", *found, "-m printer_marlin", _STRANGE)
 
 
 def _turning(lines, machine):

@@ -22,6 +22,18 @@ STILL = (
 )  # fmt: skip
 # Long enough to be no word of a letter and a number, and no O word.
 _MACRO = re.compile(rb"(?m)^([ \t]*)([A-Za-z_][A-Za-z_][A-Za-z0-9_]*)(?=[ \t;#\r\n]|\Z)")
+# Bambu's firmware is Marlin's but for these: codes of its own, and others with words of its own.
+_IS_BAMBU = re.compile(rb"(?m)^[ \t]*M1002\b")
+_BEGINNING = 1 << 18  # bytes in which a print shows whose it is
+_BAMBU = re.compile(
+    rb"(?m)^([ \t]*)(M(?:73\.2|62\d(?:\.\d+)?|63\d|9[6-9]\d{1,2}(?:\.\d+)?|100\d)|T255|T1000"
+    rb"|G(?:29\.\d|38[03]|39(?:\.\d|2)?|150\.\d|2814)|M221(?=[ \t]+[XYZ])|M400(?=[ \t]+[SPU])"
+    rb"|G28(?=[^\n;]*[ \t][PT]\d))(?=[ \t;\r\n]|\Z)"
+)
+_BAMBU_STILL = frozenset(
+    "M1002 M1003 M1004 M1006 M1007 M73.2 M960 M975 M981 M982 M982.2 M982.4 M991 M622 M623 M624 "
+    "M625 M628 M629 M630 M221 G29.1 G29.2 G392 T255 T1000".split()
+)
 _LIMIT = re.compile(
     rb"(?im)^[ \t]*(?:N\d+[ \t]*)?(?:M[ \t]*(20[1345])(?![.\d])|(SET_VELOCITY_LIMIT)\b)([^\n;(]*)"
 )
@@ -40,41 +52,60 @@ class Veiled(bytes):
     """A text whose macros are comments, so that what moves can be read; `original` has them."""
 
 
+def _macros(text, kind):
+    """Return (what finds lines that a control's firmware alone knows, which of them move nothing,
+    whether a name stands for all that begin with it and _)."""
+    if kind == "klipper":
+        return _MACRO, STILL, True
+    if kind == "marlin" and _IS_BAMBU.search(text[:_BEGINNING]):
+        return _BAMBU, _BAMBU_STILL, False
+    return None, (), False
+
+
 def veil(text, machine):
     """Return (text for the kernel, findings) of a program for a machine.
 
-    A finding is (line, id, name, how many lines): of each macro its first line. Only Klipper has
-    macros: of its own commands some are known to move nothing, of the printer's own macros the
-    machine file tells (``control.still_macros``).
+    A finding is (line, id, name, how many lines): of each macro its first line. Klipper has macros:
+    of its own commands some are known to move nothing, of the printer's own macros the machine file
+    tells (``control.still_macros``). So it is with codes that Bambu's firmware alone has.
     """
     original = getattr(text, "original", text)
-    if machine.settings.control.kind != "klipper":
+    found, known, begins = _macros(original, machine.settings.control.kind)
+    if found is None:
         return text, []
     still = {name.upper() for name in machine.settings.control.still_macros}
     counts, firsts = Counter(), {}
 
     def hide(match):
         name = match[2].decode().upper()
+        if name == "M400" and match.string[match.end() :].lstrip()[:1] in b"SP":
+            return match[1] + b"  G4"  # M400 S5 waits so long
         counts[name] += 1
         firsts.setdefault(name, match.start())
         return match[1] + b";" + match[2][1:]
 
-    hidden = _MACRO.sub(hide, original)
-    if not counts:
+    hidden = found.sub(hide, original)
+    if hidden == original:
         return original, []
     veiled = Veiled(hidden)
     veiled.original = original
     findings = []
     for name, place in sorted(firsts.items(), key=lambda item: item[1]):
-        known = name in still or any(f"{name}_".startswith(f"{each}_") for each in STILL)
+        is_known = any(f"{name}_".startswith(f"{each}_") if begins else name == each
+                       for each in known)  # fmt: skip
         line = original.count(b"\n", 0, place) + 1
-        findings.append((line, "macro-still" if known else "macro-own", name, counts[name]))
+        identity = "macro-still" if is_known or name in still else "macro-own"
+        findings.append((line, identity, name, counts[name]))
     return veiled, findings
 
 
 def words_of(identity, name, count):
     """Return what is said of a macro, and the remedy."""
     lines = f"on {count:,} lines" if count > 1 else "on one line"
+    if name == "M622":
+        return f"{name}, {lines}: what follows up to M623 is taken as done", ""
+    if name == "SET_VELOCITY_LIMIT":
+        return f"{name}, {lines}: moves nothing; its limits hold from there on", ""
     if identity == "macro-still":
         return f"{name}, {lines}: moves nothing, and is skipped", ""
     return (
@@ -86,13 +117,14 @@ def words_of(identity, name, count):
 def heard(findings, machine):
     """Return what holds of the kernel's findings (dtype ``nck_diagnostic_t``) with a machine's
     control: of a printer's planner the limits that a program sets are in force, and no note;
-    Klipper takes no feed of 0 or less, and ends the print there."""
+    Klipper takes no feed of 0 or less and no place out of range, and ends the print there."""
     kind = machine.settings.control.kind
     if kind not in PRINTERS:
         return findings
     kept = findings[findings["code"] != lib.NCK_NOTE_LIMITS]
     if kind == "klipper":
         kept["code"][kept["code"] == lib.NCK_NOTE_FEED_KEPT] = lib.NCK_E_NUMBER_RANGE
+        kept["code"][kept["code"] == lib.NCK_NOTE_CLAMPED] = lib.NCK_E_TRAVEL
     return kept
 
 

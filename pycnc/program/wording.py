@@ -34,6 +34,15 @@ _NOT_IN_A = (
     "program made for RS274NGC: --dialect linuxcnc",
 )
 
+_POCKET = (
+    "G{value} of Haas mills a pocket by a way of the control's own, which no manual says in full",
+    "have the post-processor write its arcs and lines (or say G2 and G3 by yourself)",
+)
+_RING = (
+    "G{value} drills holes on a circle by the cycle in force, and there is none",
+    "say the cycle on a line before, without a hole: G81 Z-5. R2. F90. L0",
+)
+
 # id, or id:letter or id:code (:lathe) where one needs its own, → (message, help). Fields: see
 # Wording._fields.
 WORDING = {
@@ -171,6 +180,7 @@ WORDING = {
     ),
     "unsupported:G91": _NOT_IN_A,
     "unsupported:G95": _NOT_IN_A,
+    **{f"unsupported:G{code}": _POCKET for code in (12, 13, 150)},
     "unsupported:G92": (
         "G92 limits the spindle's speed (with S) on Fanuc's lathes alone",
         "limit the speed by --set spindle.rpm_max=…; where the zero is to be shifted: "
@@ -315,6 +325,21 @@ WORDING = {
     "feed-kept": (
         "{found} is no feed: Marlin does not hear it, and the one before stays",
         "say a feed, or leave F out: Klipper ends a print there",
+    ),
+    "own-left": (
+        "M{value}, of the machine's own, stands before the line that is begun at: it is not done "
+        "on the way there, nor is all like it",
+        "do by hand what the line needs of it",
+    ),
+    **{f"no-motion:G{code}": _RING for code in (70, 71)},
+    "unsupported:G72": (
+        "G72 of Haas drills a row of holes, and no manual says whether one is where it begins",
+        "say the row by steps: G91 X… Y… L…, or its holes by X and Y",
+    ),
+    "travel-end": (
+        "{letter} was to reach {value:.3f} mm: it stays at {limit:.3f}, where its travel ends, as "
+        "Marlin has it, and so does all like it",
+        "if the machine has more travel: --set axis.{axis}.{end}_{unit}=…",
     ),
     "speed-clipped": (
         "{found} is above spindle.rpm_max: grbl clips it there, and so are all like it",

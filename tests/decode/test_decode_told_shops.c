@@ -116,6 +116,52 @@ static void subprograms_end_by_any_return(check_t *check) {
     TOLD(check, &self, linuxcnc_rows);
 }
 
+static const told_row_t overrides_rows[] = {
+    {"M50 P0\nM50\nM51 P1\nM52 P0 G0 X1\nM53 P2\nM53 P.5\nM53 Q1\nM48 M50\n",
+     "1 out M50=0; 2 out M50=1; 3 out M51=1; 4 out M52=0; 4 rapid X1; !5:5 number-range P 2/1;"
+     " !6:5 number-range P 0.5/1; !7:5 word-unused Q; !8:5 modal-group M 50/0"},
+};
+
+static void overrides_are_switched_one_by_one(check_t *check) {
+    told_begin(&self, NCK_DIALECT_LINUXCNC);
+    TOLD(check, &self, overrides_rows);
+}
+
+static const told_row_t lines_rows[] = {
+    {"M97 P50 L2\nG0 X1.\nM97 P60\nM98 P8\nM30\nN50 G0 X2.\nM97 P60\nX3.\nM99\n"
+     "N60 Y#1\n#1=#1+1\nIF[#1EQ2]GOTO60\nM99\nO8\nM97 P60 L2\nM99\nN60 Z1.\nM99\n",
+     "6 rapid X2; 8 rapid X3; 6 rapid X2; 10 rapid Y1; 10 rapid Y2; 8 rapid X3; 2 rapid X1;"
+     " 10 rapid Y3; 17 rapid Z1; 17 rapid; 5 end M30"},
+    {"O1\nM97 P7\nM30\nO2\nN7 G0 X1.\nM99\n", "!2:0 label-missing 7/0; ?2:0 called-from"},
+    {"M97\nM97 P0\nM97 P1.5\nM97 P123456 L0\nG0 X1.\nM97 P123456\nN123456 X2.\nM30\n",
+     "!1:1 word-missing P; !2:1 word-missing P; !3:5 number-range P 1.5/99999999; 5 rapid X1;"
+     " 7 rapid X2; 8 end M30"},
+    {"G0 X1.\nM97 P3 X2.\nM30\nN1 X3.\nIF[#1EQ2]GOTO5\n#1=2\nN3 GOTO1\nN5 M99\n",
+     "1 rapid X1; 2 rapid X2; 4 rapid X3; 4 rapid; 3 end M30"},
+    {"GOTO60\nX7.\nN60 G0 X1.\nM98 P8\nM30\nO8\nGOTO60\nX9.\nN60 X3.\nM99\n",
+     "3 rapid X1; 9 rapid X3; 5 end M30"},
+};
+
+static void lines_of_the_program_are_called(check_t *check) {
+    told_begin(&self, NCK_DIALECT_FANUC);
+    TOLD(check, &self, lines_rows);
+}
+
+static const told_row_t ends_rows[] = {
+    {"G0 X-12 Y5 F600\nG91 G1 X-1\nG1 X5 Z-31 E1\nG90 G1 X101 Y201 Z51\nG1 X-99 F0\nX3 U2\n"
+     "G28 X\nG92 X50\nG1 X-20\n",
+     "?1:4 travel-end X -12/-10; 1 rapid X-10 Y5 F600; 2 line F600; 3 line X-5 Z-30 U1;"
+     " 4 line X100 Y200 Z50; ?5:9 feed-kept F; 5 line X-10; 6 line X3 U2; 7 rapid; 7 rapid X0;"
+     " 9 line X-10"},
+};
+
+static void a_printers_axes_stay_at_their_ends(check_t *check) {
+    told_begin(&self, NCK_DIALECT_MARLIN);
+    told_extruder(&self);
+    told_bound(&self);
+    TOLD(check, &self, ends_rows);
+}
+
 static const told_row_t polar_rows[] = {
     {"G0 @10 ^90\n^180\n@20\nG91 ^-90\n@-5\nG90 @2 X1\n@1 @2\nG92 X0 Y0\nG91 @1\n"
      "G90 G0 ^0\nG92.1 G0 X0 Y5\nG91 G81 ^90 Z-1 R0 L3\nG80\nG18 @1\nG18\n@1\n",
@@ -141,6 +187,9 @@ int main(void) {
     CHECK_RUN(&check, cycles_and_probes_of_mills);
     CHECK_RUN(&check, printers_have_codes_that_move_nothing);
     CHECK_RUN(&check, subprograms_end_by_any_return);
+    CHECK_RUN(&check, overrides_are_switched_one_by_one);
+    CHECK_RUN(&check, lines_of_the_program_are_called);
+    CHECK_RUN(&check, a_printers_axes_stay_at_their_ends);
     CHECK_RUN(&check, polar_words_are_places);
     return check_end(&check);
 }

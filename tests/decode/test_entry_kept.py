@@ -82,3 +82,12 @@ def test_what_a_program_has_put_out_is_put_out_again(number, draw_seed):
     assert put_out(blocks[: ways[2]]) == state
     ends = [int(block["line"]) for block in blocks[ways[2] + 1 :]]
     assert ends[:3] == [line, line + 1, line + 2]
+
+
+@pytest.mark.parametrize(("line", "is_told"), [(2, False), (4, True)])
+def test_a_code_of_the_machines_own_is_not_done_again_and_that_is_told(line, is_told):
+    text = "G0 X1 Y1 Z1\nG0 X2\nM21 X3\nG0 X4\nM22 X5\n"
+    changes = {"m.21.action": "output", "m.22.action": "wait", "dialect.from_line": line}
+    _, diagnostics = stages.decode(text.encode(), Machine.load("mill3", set=changes))
+    told = diagnostics[diagnostics["code"] == lib.NCK_NOTE_OWN_LEFT]
+    assert told[["line", "value"]].tolist() == [(3, 21.0)] * is_told

@@ -120,6 +120,37 @@ def test_a_feed_of_nothing_is_not_heard_but_ends_a_print_of_klipper(number, draw
     assert [each.line for each in errors] == wrong[:1]
 
 
+@pytest.mark.sample(20)
+@pytest.mark.parametrize("number", range(200))
+def test_a_place_beyond_the_travel_is_its_end_but_ends_a_print_of_klipper(number, draw_seed):
+    pen = random.Random(draw_seed + number)
+    ends, at = {"X": 220, "Y": 220, "Z": 250}, dict.fromkeys("XYZ", 0)
+    rows, beyond = ["G21", "G90", "G1 X0 Y0 Z0 F9000"], []
+    within = list(rows)
+    for _ in range(pen.randrange(1, 12)):
+        steps, words, kept = pen.random() < 0.3, "", ""
+        for axis in sorted(pen.sample("XYZ", pen.randrange(1, 4))):
+            to = pen.choice([-1, 1]) * pen.randrange(1, 9) if pen.random() < 0.2 else 60
+            place = at[axis] + to if steps else pen.choice([to + ends[axis], -to, ends[axis] - 60])
+            at[axis], said = min(max(place, 0), ends[axis]), place - at[axis] if steps else place
+            words, kept = f"{words} {axis}{said}", f"{kept} {axis}{at[axis]}"
+            if place != at[axis] and len(rows) + 1 not in beyond:
+                beyond.append(len(rows) + 1)
+        code = f"G{pen.randrange(2)}"
+        rows.append(f"{'G91' if steps else 'G90'} {code}{words}")
+        within.append(f"G90 {code}{kept}")
+    text, without = "\n".join([*rows, ""]), "\n".join([*within, ""])
+    for machine in ("printer", "printer_marlin"):
+        found = pycnc.load(text, machine)
+        assert found.diagnostics.errors == 0
+        assert found.diagnostics.counts["travel-end"] == bool(beyond)
+        other = pycnc.load(without, machine).blocks["target_nm"]
+        assert found.blocks["target_nm"].tolist() == other.tolist(), text
+    errors = [each for each in pycnc.load(text, "printer_klipper").diagnostics
+              if each.severity == "error"]  # fmt: skip
+    assert [(each.id, each.line) for each in errors] == [("travel", n) for n in beyond[:1]]
+
+
 @pytest.mark.parametrize("words", ["M203 X0", "M201 Y0 X0", "M203 E0", "M204 S0", "M220 S0"])
 def test_a_limit_of_nothing_changes_nothing(words):
     text = "G21\nG90\n{}\nG1 X30 Y20 E1 F3000\nG1 X0\n"

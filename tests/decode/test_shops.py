@@ -258,6 +258,60 @@ def test_clocks_and_switches_of_the_operator_change_no_path():
     assert decode(f"{HEAD}#100=#3012\nM30\n", mill())[1] == [("unsupported", 4)]
 
 
+# ---- holes on a circle
+
+def ringed(rng):
+    """Return two texts: holes by G70 and G71, and the same one by one."""
+    x, y = (round(rng.uniform(-30, 30), 3) for _ in range(2))
+    cycle = rng.choice(["G81 Z-5. R2. F90.", "G83 Z-5. R2. Q1.5 F90.", "G82 Z-4. R1. P200 F80.",
+                        "G76 Z-4. R1. Q.2 F80.", "G84 Z-6. R3. F900."])  # fmt: skip
+    level, at = rng.choice([98, 99]), f"G0 X{x} Y{y}"
+    lines, plain = [f"{at} Z12.", f"G{level} {cycle} L0"], [f"{at} Z12.", f"G{level} {cycle} L0"]
+    for _ in range(rng.randrange(1, 4)):
+        radius, first = round(rng.uniform(1, 30), 3), rng.choice([0, 15, -90, 90, 33.3])
+        count, whole = rng.randrange(1, 9), rng.random() < 0.5
+        step = 360 / count if whole else rng.choice([30, -45, 7.5, 90])
+        centre = ""
+        if rng.random() < 0.5:
+            x, y = (round(rng.uniform(-30, 30), 3) for _ in range(2))
+            centre = f" X{x} Y{y}"
+        else:
+            centre = f" X{x} Y{y}" if len(lines) > 2 else ""
+        words = f"I{radius} J{float(first)} L{count}" + ("" if whole else f" K{float(step)}")
+        lines.append(f"G{70 if whole else 71}{centre} {words}")
+        for k in range(count):
+            angle = np.radians(first + k * step)
+            plain.append(f"X{x + radius * np.cos(angle):.9f} Y{y + radius * np.sin(angle):.9f}")
+    ends = ["G80", "G0 X1. Y1.", "M30", ""]
+    return "\n".join([HEAD, *lines, *ends]), "\n".join([HEAD, *plain, *ends])
+
+
+@pytest.mark.sample(40)
+@pytest.mark.parametrize("number", range(400))
+def test_holes_on_a_circle_are_those_that_are_said_one_by_one(number, draw_seed):
+    ring, plain = ringed(random.Random(draw_seed + number))
+    one, other = told(ring, mill()), told(plain, mill())
+    assert one["kind"].tolist() == other["kind"].tolist(), ring
+    away = one["target_nm"].astype(np.int64) - other["target_nm"].astype(np.int64)
+    assert np.abs(away).max() <= 1, ring
+
+
+@pytest.mark.parametrize(("lines", "found"), [
+    ("G70 I5. L4", "no-motion"), ("G81 Z-5. R2. F90. L0\nG70 I5.", "word-missing"),
+    ("G81 Z-5. R2. F90. L0\nG71 I5. L4", "word-missing"),
+    ("G81 Z-5. R2. F90. L0\nG70 I5. K9. L4", "word-unused"),
+    ("G81 Z-5. R2. F90. L0\nG70 I-5. L4", "number-range"),
+    ("G81 Z-5. R2. F90. L0\nG70 I5. L4.5", "number-range"),
+    ("G81 Z-5. R2. F90. L0\nG70 I5. L1001", "number-range"),
+    ("G81 Z-5. R2. F90. L0\nG72 I5. J30. L4", "unsupported"),
+    ("G81 Z-5. R2. F90. L0\nG68 X0. Y0. R9.\nG70 I5. L4", "layout-on"),
+    ("G80\nG70 I5. L4", "no-motion"), ("G1 X2. F90.\nG71 I5. K9. L4", "no-motion"),
+])  # fmt: skip
+def test_a_circle_of_holes_that_is_none_has_one_error(lines, found):
+    text = f"{HEAD}{lines}\n"
+    assert decode(f"{text}M30\n", mill())[1] == [(found, text.count("\n"))]
+
+
 # ---- boring
 
 def bored(rng):

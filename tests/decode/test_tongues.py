@@ -29,6 +29,15 @@ def test_a_code_is_its_languages_or_refused(letter, table, tongue):
             assert name == "unsupported" or (whose & others) == others, tenths / 10
 
 
+@pytest.mark.parametrize("letter", "GM")
+def test_grblhal_has_grbls_words_and_most_of_linuxcncs(letter):
+    machine, table = machine_of("grbl", **{"control.kind": "grblhal"}), vars(tongues)[letter]
+    assert tongues.HAL[letter] < table["linuxcnc"]
+    read = table["grbl"] | tongues.HAL[letter]
+    refused = tongues.refused_of(letter, read, machine)
+    assert set(range(10000)) - set(refused) == read
+
+
 @pytest.mark.parametrize("tongue", ["linuxcnc", "fanuc", "turning"])
 def test_a_parameter_of_the_control_is_told_or_refused(tongue):
     groups = {4001, 4002, 4003, 4005, 4006, 4109, 4119, 4120}

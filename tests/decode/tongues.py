@@ -41,7 +41,7 @@ G = {
     + "5 5.1 5.2 5.3 7 8 9 10 28.1 30 30.1 33 33.1 38.2 38.3 38.4 38.5 40-43 41.1 42.1 43.1 43.2 "
     "49 52 59.1 59.2 59.3 61 61.1 64 73 74 76 81-86 89 90.1 91.1 92.1 92.2 92.3 93-99",
     "fanuc": _MODAL
-    + "5 5.1 6.2 8 9 10 10.9 13.1 15 16 23 25 30 31 40-43 40.1 49-52 50.1 50.2 51.1 54.1 61-69 "
+    + "5 5.1 6.2 8 9 10 10.9 13.1 15 16 23 25 30 31 40-43 40.1 49-52 50.1 50.2 51.1 54.1 61-71 "
     "61.1 73 74 76 81-87 89 93-99 " + _HAAS,
     "turning": _MODAL
     + "5 5.1 8 9 10 10.9 13.1 23 25 30 31 33 40-42 40.1 50.2 52 54.1 61-67 61.1 70-79 93-97 "
@@ -51,9 +51,9 @@ G = {
 }
 G = {name: _spread(words) for name, words in G.items()}
 M = {
-    "linuxcnc": "0-9 30 48 49 60-68 70-73 98 99",
-    "fanuc": "0-9 29 30 48 49 98 99",
-    "turning": "0-9 29 30 48 49 98 99",
+    "linuxcnc": "0-9 30 48-53 60-68 70-73 98 99",
+    "fanuc": "0-9 29 30 48 49 97-99",
+    "turning": "0-9 29 30 48 49 97-99",
     "grbl": "0-5 7-9 30 62-68",  # M62 … M68: of grblHAL and FluidNC
     # Marlin 2.1; M73 M86 M142 M601 M603 M862: of Prusa's firmware.
     "marlin": "0 1 3-5 7-9 17 18 31 42 73 75-78 80-86 92 104-111 113-115 117-119 140-142 150 155 "
@@ -61,6 +61,11 @@ M = {
     "500-503 569 593 600 601 603 851 862.1 862.2 862.3 862.4 862.5 862.6 900 906 913 914",
 }
 M = {name: _spread(words) for name, words in M.items()}
+# grblHAL, "Supported G-codes": what it has of LinuxCNC's beside grbl's.
+HAL = {
+    "G": _spread("5 5.1 7 8 33 43 43.2 59.1 59.2 59.3 73 76 81-83 85 86 89 92.2 92.3 95-99"),
+    "M": _spread("6 48-53 60 61 70-73 98 99"),
+}
 UNKNOWN = {"unsupported", "other-base", "g-unknown", "m-unknown"}
 
 # Words of one language that others must not take for their own: line, whose it is.
@@ -90,7 +95,8 @@ LINES = (
     ("G93", "linuxcnc fanuc turning grbl"), ("M6", "linuxcnc fanuc turning"),
     ("M98 P9", "linuxcnc fanuc turning"), ("#100=1", "linuxcnc fanuc turning"),
     ("X[1.]", "linuxcnc fanuc turning"), ("M2", "linuxcnc fanuc turning grbl"),
-    ("G38.3 Z-1.", "linuxcnc grbl"), ("G52 X1.", "linuxcnc fanuc turning"),
+    ("M97 P9", "fanuc turning"), ("M52 P1", "linuxcnc"), ("G38.3 Z-1.", "linuxcnc grbl"),
+    ("G52 X1.", "linuxcnc fanuc turning"),
 )  # fmt: skip
 # What is a plain number to one language and a parameter of the control to another: a program's own.
 OWN = {"#3006=1": "linuxcnc"}

@@ -311,6 +311,44 @@ def test_macros_are_told_once_and_skipped():
     assert program.text != text.encode() and len(program.text) == len(text)
 
 
+BAMBU = {  # a line of its own → whether it moves nothing; None: it is not a line of its own
+    "M1002 gcode_claim_action : 4": True, "M620 S0A": False, "M621 S0A   ; AMS": False,
+    "M73.2   R1.0": True, "M221 X0 Y0 Z0": True, "G29.1 Z0": True, "G380 S2 Z-25 F300": False,
+    "M960 S5 P1": True, "M970.3 Q1 A7 B30": False, "M622 J1": True, "M623": True, "T255": True,
+    "M400 U1": False, "G28 Z P0 T300; low": False, "M982.2 S1": True, "M221 S100": None,
+    "M400": None, "G28 X": None, "M73 P5 R2": None, "G39": False, "M9833": False,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_codes_of_bambus_are_told_once_and_skipped(seed):
+    rng = random.Random(seed)
+    head = ["M1002 set_gcode_claim_speed_level : 5", "G21 G90", "M83", "G1 X1 Y1 F3000"]
+    said, plain, told = list(head), list(head), {"M1002": True}
+    for _ in range(40):
+        line = rng.choice(list(BAMBU))
+        said.append("  " * rng.randrange(2) + line)
+        plain.append(line if BAMBU[line] is None else "")
+        if BAMBU[line] is not None:
+            told[line.split()[0]] = BAMBU[line]
+        move = f"G1 X{rng.uniform(0, 90):.2f} Y{rng.uniform(0, 90):.2f} E.1"
+        said, plain = [*said, move], [*plain, move]
+    found = load("\n".join(said), machine_of("marlin"))
+    expected = load("\n".join(plain), machine_of("marlin"))
+    assert found.diagnostics.errors == expected.diagnostics.errors == 0
+    assert plan(found).time_s == plan(expected).time_s
+    counts = found.diagnostics.counts
+    assert counts["macro-own"] == list(told.values()).count(False)
+    assert counts["macro-still"] == list(told.values()).count(True)
+
+
+def test_m400_with_a_time_waits_so_long_on_bambus():
+    head, move = "M1002 judge_flag x\nG21 G90\nG1 X9 F900\n", "G1 X3\n"
+    times = [time_of(f"{head}{words}\n{move}", machine_of("marlin"))
+             for words in ("M400", "M400 S5", "M400 P250")]  # fmt: skip
+    assert times[1] - times[0] == pytest.approx(5) and times[2] - times[0] == pytest.approx(0.25)
+
+
 @pytest.mark.parametrize("name", ["_CLEAN_NOZZLE", "STATUSES", "SET_PINS_UP", "PRIME"])
 def test_a_macro_whose_name_says_nothing_may_move(name):
     program = load(f"G21 G90\n{name}\nG1 X9 F900\n", klipper())

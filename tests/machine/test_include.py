@@ -26,6 +26,14 @@ def test_what_cannot_be_included_is_refused(files, words, tmp_path):
     assert len(result.err.splitlines()) == 1
 
 
+@pytest.mark.parametrize("name", ["mainsail.cfg", "fluidd.cfg", "../timelapse.cfg"])
+def test_macros_of_a_page_may_be_elsewhere(name, tmp_path):
+    (tmp_path / "a.cfg").write_text(f"[include {name}]\n{KLIPPER}[stepper_x]\nposition_max: 9\n")
+    result = pycnc("machine", "import", tmp_path / "a.cfg")
+    assert result.code == 0
+    assert f"line 1: [include {name}] (No such file or directory: not read)" in result.out
+
+
 @pytest.mark.sample(12)
 @pytest.mark.parametrize("number", range(60))
 def test_an_include_that_comes_back_is_told_in_one_line(number, draw_seed, tmp_path):

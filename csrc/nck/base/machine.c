@@ -136,7 +136,7 @@ static int is_slope_built(const nck_machine_t *machine) {
 }
 
 static int dialect_good(const nck_machine_t *machine) {
-    return machine->dialect.base <= NCK_DIALECT_MARLIN && machine->dialect.diameter <= 1
+    return machine->dialect.base <= NCK_DIALECT_GRBLHAL && machine->dialect.diameter <= 1
            && machine->dialect.inch <= 1 && machine->dialect.arc_absolute <= 1
            && machine->dialect.plane >= 17 && machine->dialect.plane <= 19
            && machine->dialect.block_skip <= 1 && machine->dialect.optional_stop <= 1

@@ -42,7 +42,8 @@ typedef enum nck_slope_kind {
 
 // How program text is read.
 typedef enum nck_dialect {
-    NCK_DIALECT_LINUXCNC = 0, NCK_DIALECT_FANUC = 1, NCK_DIALECT_GRBL = 2, NCK_DIALECT_MARLIN = 3
+    NCK_DIALECT_LINUXCNC = 0, NCK_DIALECT_FANUC = 1, NCK_DIALECT_GRBL = 2, NCK_DIALECT_MARLIN = 3,
+    NCK_DIALECT_GRBLHAL = 4 // grbl's, with most of LinuxCNC's words
 } nck_dialect_t;
 
 // Who speaks so, as bits of a set: dialects, and Fanuc's mills and lathes are two.
@@ -51,7 +52,8 @@ typedef enum nck_tongue {
     NCK_TONGUE_FANUC = 2,   // its mills
     NCK_TONGUE_TURNING = 4, // its lathes
     NCK_TONGUE_GRBL = 8,
-    NCK_TONGUE_MARLIN = 16
+    NCK_TONGUE_MARLIN = 16,
+    NCK_TONGUES_GRBLHAL = NCK_TONGUE_LINUXCNC | NCK_TONGUE_GRBL
 } nck_tongue_t;
 
 // Fanuc's G-code system of a lathe: what G90, G92, G94, G98 and the like mean. Others have none.

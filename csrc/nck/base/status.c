@@ -92,6 +92,8 @@
     x(NCK_NOTE_MODE, "mode-stays") \
     x(NCK_NOTE_CLIPPED, "speed-clipped") \
     x(NCK_NOTE_FEED_KEPT, "feed-kept") \
+    x(NCK_NOTE_CLAMPED, "travel-end") \
+    x(NCK_NOTE_OWN_LEFT, "own-left") \
     x(NCK_NOTE_LENGTH, "assumed-length") \
     x(NCK_NOTE_INTEGERS, "assumed-integers")
 

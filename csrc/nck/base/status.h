@@ -140,6 +140,10 @@ typedef enum nck_note {
                              // what that means; letter G, value: the code
     NCK_NOTE_CLIPPED = 18,   // "speed-clipped": S is more than the spindle has: grbl clips it
     NCK_NOTE_FEED_KEPT = 19, // "feed-kept": F0 or a negative F, which a printer does not hear
+    NCK_NOTE_CLAMPED = 22,   // "travel-end": a printer's axis stays at the end of its travel;
+                             // letter, value: where it was to go, limit [mm]
+    NCK_NOTE_OWN_LEFT = 23,  // "own-left": an M code of the machine's own before the line that is
+                             // begun at is not done; letter M, value: the code
     NCK_NOTE_LENGTH = 21,    // "assumed-length": H of a machine without a tool table is 0
     NCK_NOTE_INTEGERS = 15   // "assumed-integers": a length, angle or dwell of Fanuc's has no point
 } nck_note_t;

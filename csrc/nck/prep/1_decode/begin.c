@@ -78,6 +78,7 @@ static uint16_t tongue_of(const nck_decode_t *self) {
     case NCK_DIALECT_FANUC: return NCK_TONGUE_FANUC;
     case NCK_DIALECT_GRBL: return NCK_TONGUE_GRBL;
     case NCK_DIALECT_MARLIN: return NCK_TONGUE_MARLIN;
+    case NCK_DIALECT_GRBLHAL: return NCK_TONGUES_GRBLHAL;
     default: return NCK_TONGUE_LINUXCNC;
     }
 }

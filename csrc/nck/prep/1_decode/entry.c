@@ -6,6 +6,7 @@
 #include "nck/prep/1_decode/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_block nck_decode_fail nck_decode_give_m …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_letter
+#include "nck/prep/1_decode/tongue/tongue.h" // nck_decode_own_m
 #include "nck/prep/1_decode/place/place.h" // nck_decode_origin
 #include "nck/prep/1_decode/macro/macro.h" // nck_call_level
 
@@ -109,7 +110,12 @@ static void keep(nck_decode_t *self, const nck_output_t *put, int waits) {
     nck_kept_t *const kept = NCK_KEPT_AT(self, entry.kept);
     const unsigned place = place_of(self, put);
     const uint32_t bit = (uint32_t)1 << place % 32;
-    if (!NCK_HAS_KEPT || place >= NCK_KEPT) return;
+    if (!NCK_HAS_KEPT) return;
+    if (put->kind == NCK_OUTPUT_M && nck_decode_own_m(self, (int64_t)put->value) != NULL) {
+        const nck_diagnostic_t left = {NCK_NOTE_OWN_LEFT, self->line.tag, 0, 'M', put->value, 0.0};
+        nck_decode_note(self, &left);
+    }
+    if (place >= NCK_KEPT) return;
     kept->told[place / 32] |= bit;
     if (place < NCK_KEPT_DIGITAL) {
         kept->on[place / 32] = put->value > 0.0 ? kept->on[place / 32] | bit

@@ -51,7 +51,7 @@ nck_status_t nck_bore_shift(nck_decode_t *self) {
         cycle->shift_nm[0] = cycle->peck_nm;
         cycle->shift_nm[1] = 0;
     }
-    if (self->words.letters & both) {
+    if ((self->words.letters & both) && cycle->circles != NCK_CIRCLES_RING) {
         if (self->modal.plane != 17) {
             const char letter = nck_has_word(self, 'I') ? 'I' : 'J';
             return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, letter, 0.0, 0.0);

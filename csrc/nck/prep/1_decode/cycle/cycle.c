@@ -2,6 +2,7 @@
 // Canned cycles of drilling, boring and tapping: G73 G74 G81 … G86 G89.
 #include "nck/prep/1_decode/cycle/cycle.h"
 #include "nck/prep/1_decode/cycle/bore.h"
+#include "nck/prep/1_decode/cycle/ring.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_assume nck_decode_fail …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_as_word nck_decode_asks_unit …
 #include "nck/prep/1_decode/tongue/tongue.h" // nck_decode_follows
@@ -251,9 +252,9 @@ static int turns_on(const nck_decode_t *self) {
 static nck_status_t place_holes(nck_decode_t *self, int64_t count, int64_t *last_nm) {
     nck_cycle_t *const cycle = &self->held.cycle;
     const uint32_t axes = self->words.axes;
-    cycle->circles = count > 1 && turns_on(self);
     self->words.axes = axes & ~((uint32_t)1 << cycle->drill);
     nck_status_t status = nck_decode_target(self, 0, cycle->hole_nm);
+    cycle->circles = count > 1 && turns_on(self);
     memcpy(last_nm, cycle->hole_nm, sizeof cycle->hole_nm);
     for (unsigned axis = 0; axis < NCK_AXIS_MAX && status == NCK_OK; axis++) {
         const int64_t way_nm = cycle->hole_nm[axis] - self->place.position_nm[axis];
@@ -270,6 +271,16 @@ static nck_status_t place_holes(nck_decode_t *self, int64_t count, int64_t *last
     return status;
 }
 
+// The same of a ring about the place that the line names.
+static nck_status_t place_ring(nck_decode_t *self, int64_t count, int64_t *last_nm) {
+    const nck_cycle_t *const cycle = &self->held.cycle;
+    if (cycle->circles != NCK_CIRCLES_RING) return place_holes(self, count, last_nm);
+    nck_status_t status = next_hole(self);
+    if (status == NCK_OK) status = nck_ring_place(self, count, last_nm);
+    last_nm[cycle->drill] = cycle->level_nm[NCK_LEVEL_CLEAR];
+    return status;
+}
+
 static nck_status_t read_cycle(nck_decode_t *self, int64_t *count_out) {
     if (!(self->place.axes >> self->held.cycle.drill & 1u)) {
         const int letter = nck_decode_letter(self->held.cycle.drill);
@@ -282,13 +293,15 @@ static nck_status_t read_cycle(nck_decode_t *self, int64_t *count_out) {
     if (status == NCK_OK) status = read_rest(self);
     if (status == NCK_OK) status = check_rest(self);
     if (status == NCK_OK && (self->held.cycle.does & SHIFTS)) status = nck_bore_shift(self);
-    return status == NCK_OK ? read_count(self, count_out) : status;
+    if (status != NCK_OK || self->held.cycle.circles == NCK_CIRCLES_RING) return status;
+    return read_count(self, count_out);
 }
 
 // Whether the line says where a hole is. In RS274NGC a code without an axis is a mistake; Fanuc's R
 // alone drills, and a code alone says what the next lines do.
 static int says_hole(const nck_decode_t *self) {
-    return self->words.axes != 0 || (nck_is_fanuc(self) && (self->words.letters & NCK_LETTER('R')));
+    return self->words.axes != 0 || self->held.cycle.circles == NCK_CIRCLES_RING
+           || (nck_is_fanuc(self) && (self->words.letters & NCK_LETTER('R')));
 }
 
 // Everything is known before the first block.
@@ -296,6 +309,8 @@ static nck_status_t begin(nck_decode_t *self) {
     nck_cycle_t *const cycle = &self->held.cycle;
     const int32_t before = self->modal.motion;
     int64_t last_nm[NCK_AXIS_MAX], count = 0;
+    const nck_status_t ring = nck_ring_begin(self, &count);
+    if (ring != NCK_OK) return ring;
     self->modal.motion = self->words.code[NCK_STEP_MOTION];
     keep_or_forget(self, before);
     if (!says_hole(self)) return nck_is_fanuc(self) ? NCK_OK : fail_missing(self, 'X');
@@ -304,7 +319,7 @@ static nck_status_t begin(nck_decode_t *self) {
     nck_decode_assume(self, NCK_NOTE_PLANE);
     nck_status_t status = read_cycle(self, &count);
     if (status != NCK_OK || count == 0) return status;
-    status = place_holes(self, count, last_nm);
+    status = place_ring(self, count, last_nm);
     if (status == NCK_OK) status = nck_bore_fits(self, last_nm);
     if (status != NCK_OK) return status;
     status = nck_decode_cutting_feed(self, 0, &cycle->feed);
@@ -407,6 +422,10 @@ static void end_hole(nck_decode_t *self) {
     nck_cycle_t *const cycle = &self->held.cycle;
     cycle->holes--;
     cycle->level_nm[NCK_LEVEL_CUT] = cycle->level_nm[NCK_LEVEL_R];
+    if (cycle->circles == NCK_CIRCLES_RING) {
+        nck_ring_next(self);
+        return;
+    }
     if (cycle->circles) {
         if (cycle->holes > 0) (void)next_hole(self); // it was looked at
         return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Calls: M98, M99, G65, G66, G67, and how every call begins and ends.
+// Calls: M97, M98, M99, G65, G66, G67, and how every call begins and ends.
 #include "nck/prep/1_decode/macro/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_assume nck_decode_fail_code …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_whole
@@ -16,6 +16,11 @@ static nck_status_t begin_locals(nck_decode_t *self, nck_frame_kind_t kind, int 
     return kind == NCK_FRAME_MACRO ? nck_variable_copy_kept(self, from, modal) : NCK_OK;
 }
 
+// M97: its lines stand in the caller's program.
+static int is_of_lines(const nck_frame_t *frame) {
+    return frame->kind == NCK_FRAME_PROGRAM && frame->key > NCK_LINE_KEY;
+}
+
 nck_status_t nck_call(nck_decode_t *self, nck_frame_kind_t kind, uint64_t key, uint32_t count) {
     if (!NCK_HAS_CALLS) return NCK_E_UNSUPPORTED;
     const int modal = self->words.code[NCK_STEP_CALL] == 661;
@@ -24,6 +29,7 @@ nck_status_t nck_call(nck_decode_t *self, nck_frame_kind_t kind, uint64_t key, u
     status = nck_frame_push(self, kind, key, count);
     if (status == NCK_OK) status = begin_locals(self, kind, modal);
     if (status != NCK_OK) return status;
+    if (is_of_lines(nck_frame_call(self))) return nck_seek_number(self, key - NCK_LINE_KEY);
     return nck_seek_called(self, kind == NCK_FRAME_SUB ? NCK_SEEK_SUB : NCK_SEEK_PROGRAM, key);
 }
 
@@ -41,6 +47,7 @@ nck_status_t nck_call_return(nck_decode_t *self) {
     if (frame->count > 1) {
         macro->depth++;
         frame->count--;
+        if (is_of_lines(frame)) return nck_seek_number(self, frame->key - NCK_LINE_KEY);
         const nck_status_t status = begin_locals(self, (nck_frame_kind_t)frame->kind, 0);
         return status == NCK_OK ? nck_jump(self, &frame->begin) : status;
     }
@@ -50,9 +57,11 @@ nck_status_t nck_call_return(nck_decode_t *self) {
 
 // ---- words
 
+enum { LINES = 970 }; // M97 P: the lines from N… on
+
 // P: the program; L: how often. Fanuc writes both into P: 0031000 is three times 1000.
 static nck_status_t read_target(nck_decode_t *self, int64_t *program, int64_t *count) {
-    const int fanuc = nck_is_fanuc(self);
+    const int fanuc = nck_is_fanuc(self) && self->words.code[NCK_STEP_CALL] != LINES;
     nck_status_t status = nck_decode_whole(self, 'P', PROGRAM_MOST, -1, program);
     if (status == NCK_OK) status = nck_decode_whole(self, 'L', COUNT_MOST, 1, count);
     if (status != NCK_OK) return status;
@@ -103,15 +112,17 @@ static nck_status_t call_program(nck_decode_t *self, uint16_t code) {
     nck_macro_t *const macro = &self->macro;
     int64_t program = 0, count = 0;
     nck_status_t status = read_target(self, &program, &count);
-    if (status == NCK_OK && code != 980) status = nck_argument_all(self);
+    const int shares = code == 980 || code == LINES;
+    if (status == NCK_OK && !shares) status = nck_argument_all(self);
     if (status != NCK_OK) return status;
     if (code == 660) {
         macro->modal = (uint64_t)program;
         macro->modal_base = macro->base;
         return NCK_OK;
     }
-    const nck_frame_kind_t kind = code == 980 ? NCK_FRAME_PROGRAM : NCK_FRAME_MACRO;
-    return count > 0 ? nck_call(self, kind, (uint64_t)program, (uint32_t)count) : NCK_OK;
+    const nck_frame_kind_t kind = shares ? NCK_FRAME_PROGRAM : NCK_FRAME_MACRO;
+    const uint64_t key = (uint64_t)program + (code == LINES ? NCK_LINE_KEY : 0);
+    return count > 0 ? nck_call(self, kind, key, (uint32_t)count) : NCK_OK;
 }
 
 nck_status_t nck_decode_call(nck_decode_t *self, nck_block_t *out) {

@@ -62,12 +62,14 @@ nck_status_t nck_frame_push(nck_decode_t *self, nck_frame_kind_t kind, uint64_t 
                             uint32_t count) {
     if (!NCK_HAS_CALLS) return NCK_E_UNSUPPORTED;
     nck_macro_t *const macro = &self->macro;
+    const nck_frame_t *const caller = nck_frame_call(self);
     if (macro->depth + 1 > NCK_CALL_DEPTH) {
         return nck_decode_fail_last(self, NCK_E_DEPTH, NCK_CALL_DEPTH, NCK_CALL_DEPTH);
     }
     nck_frame_t *const frame = &macro->frame[macro->depth];
     memset(frame, 0, sizeof *frame);
     frame->key = key;
+    if (caller != NULL) frame->begin = caller->begin; // M97 stays in its caller's program
     frame->kind = kind;
     frame->count = count;
     frame->line = self->line.tag;
@@ -145,10 +147,16 @@ nck_status_t nck_seek_called(nck_decode_t *self, nck_seek_kind_t kind, uint64_t 
     return NCK_OK;
 }
 
+// A place of the same program that has been read.
+static int is_behind(nck_decode_t *self, size_t offset) {
+    const nck_frame_t *const frame = nck_frame_call(self);
+    return offset < self->macro.place.offset && (frame == NULL || offset >= frame->begin.offset);
+}
+
 nck_status_t nck_seek_number(nck_decode_t *self, uint64_t number) {
     if (!NCK_HAS_CALLS) return NCK_E_UNSUPPORTED;
     const nck_label_t *const label = known(&self->macro, NCK_SEEK_NUMBER, number);
-    if (label != NULL && self->macro.reads && label->place.offset < self->macro.place.offset) {
+    if (label != NULL && self->macro.reads && is_behind(self, label->place.offset)) {
         leave_loops(self, label->place.offset);
         return nck_jump(self, &label->place);
     }

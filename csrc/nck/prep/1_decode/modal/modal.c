@@ -146,8 +146,16 @@ nck_status_t nck_decode_flood(nck_decode_t *self, nck_block_t *out) {
     return give_m(self, NCK_STEP_FLOOD, out);
 }
 
+// M48 and M49; M50 to M53 with P 0 or 1, and without it 1, are handed over like a port.
 nck_status_t nck_decode_override(nck_decode_t *self, nck_block_t *out) {
-    return give_m(self, NCK_STEP_OVERRIDE, out);
+    const uint16_t code = self->words.code[NCK_STEP_OVERRIDE];
+    int64_t on = 1;
+    if (!NCK_HAS_FOREIGN || code < 500) return give_m(self, NCK_STEP_OVERRIDE, out);
+    const nck_status_t status = nck_decode_whole(self, 'P', 1, 1, &on);
+    if (status != NCK_OK) return status;
+    (void)nck_decode_give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_SETTING, (double)on, out);
+    out->output.number = code / 10;
+    return NCK_OK;
 }
 
 // What the machine does at its own M codes is its own: the code is handed over.

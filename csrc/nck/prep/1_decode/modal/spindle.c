@@ -25,7 +25,7 @@ static nck_status_t give_surface(nck_decode_t *self, double mm_min, nck_block_t 
 
 // grbl turns as fast as its spindle can, whatever more is asked for.
 static int is_clipped(const nck_decode_t *self, double word, double limit) {
-    return word > limit && word <= value_max && self->machine->dialect.base == NCK_DIALECT_GRBL;
+    return word > limit && word <= value_max && (self->tongue & NCK_TONGUE_GRBL) != 0;
 }
 
 nck_status_t nck_decode_set_speed(nck_decode_t *self, double word, nck_block_t *out) {

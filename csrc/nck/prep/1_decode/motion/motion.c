@@ -112,6 +112,21 @@ static void stop_exactly(const nck_decode_t *self, nck_block_t *out) {
     if (self->words.codes & NCK_STEP(NCK_STEP_EXACT)) out->path_mode = NCK_PATH_STOP;
 }
 
+// Marlin's ends in software: an axis that would leave its travel stays at its end.
+static nck_status_t straight_within(nck_decode_t *self, nck_block_kind_t kind,
+                                    const int64_t *target_nm, nck_block_t *out) {
+    int64_t end_nm[NCK_AXIS_MAX];
+    memcpy(end_nm, target_nm, sizeof end_nm);
+    for (unsigned axis = NCK_AXIS_X; axis <= NCK_AXIS_Z && !self->machine->roams; axis++) {
+        const nck_axis_t *const travel = &self->machine->axis[axis];
+        const int64_t low_nm = travel->min_nm, high_nm = travel->max_nm, to_nm = end_nm[axis];
+        if (!axis_bit(self->words.axes, axis) || (to_nm >= low_nm && to_nm <= high_nm)) continue;
+        end_nm[axis] = to_nm < low_nm ? low_nm : high_nm;
+        nck_decode_note_end(self, axis, to_nm, end_nm[axis]);
+    }
+    return nck_decode_straight(self, kind, end_nm, out);
+}
+
 nck_status_t nck_decode_go(nck_decode_t *self, const nck_block_in_t *pushed,
                            const int64_t *target_nm, nck_block_t *out) {
     const int32_t code = self->words.code[NCK_STEP_MOTION];
@@ -119,8 +134,10 @@ nck_status_t nck_decode_go(nck_decode_t *self, const nck_block_in_t *pushed,
     if (code >= 20) {
         status = arc(self, pushed, target_nm, out);
     } else {
-        status = nck_decode_straight(self, code == 0 ? NCK_BLOCK_RAPID : NCK_BLOCK_LINE, target_nm,
-                                     out);
+        const nck_block_kind_t kind = code == 0 ? NCK_BLOCK_RAPID : NCK_BLOCK_LINE;
+        const int prints = NCK_HAS_FOREIGN && pushed == NULL && self->tongue == NCK_TONGUE_MARLIN;
+        status = prints ? straight_within(self, kind, target_nm, out)
+                        : nck_decode_straight(self, kind, target_nm, out);
     }
     if (code == 0 && nck_decode_has_feed(self, NCK_BLOCK_RAPID)) out->feed = self->modal.feed;
     stop_exactly(self, out);

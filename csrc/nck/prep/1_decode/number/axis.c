@@ -92,6 +92,14 @@ nck_status_t nck_decode_travel(nck_decode_t *self, unsigned axis, int64_t positi
                            shown(self, axis, position_nm), shown(self, axis, limit_nm));
 }
 
+void nck_decode_note_end(nck_decode_t *self, unsigned axis, int64_t place_nm, int64_t end_nm) {
+    const nck_diagnostic_t finding = {
+        NCK_NOTE_CLAMPED, self->line.tag, column_of_axis(self, axis), nck_decode_letter(axis),
+        shown(self, axis, place_nm), shown(self, axis, end_nm)
+    };
+    nck_decode_note(self, &finding);
+}
+
 void nck_decode_scale(nck_decode_t *self) {
     nck_scale_t *const scale = self->place.scale;
     const int32_t per_mm = self->modal.inch ? 254 : 10;

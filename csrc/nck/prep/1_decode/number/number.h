@@ -138,6 +138,9 @@ nck_status_t nck_decode_beyond(nck_decode_t *self, unsigned axis, double at_nm, 
 nck_status_t nck_decode_steps(nck_decode_t *self, unsigned axis, int64_t step_nm, int64_t count,
                               int64_t *at_nm);
 
+// Tells once that an axis stays at an end of its travel, and where it was to go. Cost: constant.
+void nck_decode_note_end(nck_decode_t *self, unsigned axis, int64_t place_nm, int64_t end_nm);
+
 // Is a machine position within the travel of its axis? NCK_E_TRAVEL. Cost: constant.
 nck_status_t nck_decode_travel(nck_decode_t *self, unsigned axis, int64_t position_nm);
 

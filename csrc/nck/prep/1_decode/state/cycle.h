@@ -9,6 +9,8 @@
 
 enum { NCK_MOTION_BORE_BACK = 870 }; // G87; G76 has the number of threads: NCK_MOTION_SCREW
 
+enum { NCK_CIRCLES_RING = 2 }; // of circles, below
+
 // Places in level_nm.
 enum { NCK_LEVEL_R, NCK_LEVEL_BOTTOM, NCK_LEVEL_CLEAR, NCK_LEVEL_CUT };
 
@@ -19,7 +21,7 @@ typedef NCK_CYCLE_STATE nck_cycle {
     uint8_t to_r;        // 1: G99
     uint8_t does;        // what the cycle has, cycle.c
     uint8_t phase;       // of the hole in work, cycle.c
-    uint8_t circles;     // 1: steps lead from hole to hole on a circle
+    uint8_t circles;     // 1: steps lead from hole to hole on a circle; 2: holes of a ring
     uint8_t turns;       // 3, 4: of M3 or M4 that comes first; 0: the spindle turns
     double lead;         // of a tap [mm]
     int64_t r_nm;        // R as said; Fanuc: the level, program coordinates
@@ -36,6 +38,10 @@ typedef NCK_CYCLE_STATE nck_cycle {
     int64_t hole_nm[NCK_AXIS_MAX]; // machine position of the hole; the drill does not count
     int64_t step_nm[NCK_AXIS_MAX]; // from a hole to the next
     double feed;         // as a block has it
+    int64_t ring_nm;     // of a ring: its radius; the centre stands in step_nm
+    double ring_angle;   // of its first hole [deg]
+    double ring_step;    // from hole to hole [deg]
+    uint32_t ring_at;    // the hole in work, from 0 on
 } nck_cycle_t;
 
 // Whether a motion in tenths is a canned cycle.

@@ -37,7 +37,7 @@ nck_status_t nck_decode_fail_code(nck_decode_t *self, nck_status_t code, nck_ste
                        | NCK_STEP(NCK_STEP_CALL) | NCK_STEP(NCK_STEP_STOP);
     const uint16_t tenths = self->words.code[step];
     const int own_g = step == NCK_STEP_OWN && tenths >= NCK_CODE_OWN_G;
-    const int is_g = own_g || (step == NCK_STEP_CALL && tenths < 980); // G65 G66 G67; M98 M99
+    const int is_g = own_g || (step == NCK_STEP_CALL && tenths < 970); // G65 G66 G67; M97 …
     return nck_decode_fail_step(self, code, step, !is_g && (m & NCK_STEP(step)) ? 'M' : 'G',
                                 (own_g ? tenths - NCK_CODE_OWN_G : tenths) / 10.0, 0.0);
 }
@@ -55,7 +55,7 @@ void nck_decode_find(nck_decode_t *self, const nck_diagnostic_t *finding) {
     self->finding.queue[self->finding.count++] = *finding;
 }
 
-static void note_once(nck_decode_t *self, const nck_diagnostic_t *finding) {
+void nck_decode_note(nck_decode_t *self, const nck_diagnostic_t *finding) {
     const uint32_t note = 1u << finding->code;
     if ((self->finding.given | self->finding.notes) & note) return;
     self->finding.notes |= note;
@@ -64,18 +64,18 @@ static void note_once(nck_decode_t *self, const nck_diagnostic_t *finding) {
 
 void nck_decode_assume(nck_decode_t *self, nck_note_t note) {
     const nck_diagnostic_t finding = {(int32_t)note, self->line.tag, 0, 0, 0.0, 0.0};
-    note_once(self, &finding);
+    nck_decode_note(self, &finding);
 }
 
 void nck_decode_note_word(nck_decode_t *self, nck_note_t note, char letter, double value) {
     const int said = nck_has_word(self, letter);
     const unsigned column = said ? self->words.column[letter - 'A'] : 0;
     const nck_diagnostic_t finding = {(int32_t)note, self->line.tag, column, letter, value, 0.0};
-    note_once(self, &finding);
+    nck_decode_note(self, &finding);
 }
 
 void nck_decode_note_code(nck_decode_t *self, nck_note_t note, nck_step_t step, double code) {
     const unsigned column = self->words.code_column[step];
     const nck_diagnostic_t finding = {(int32_t)note, self->line.tag, column, 'G', code, 0.0};
-    note_once(self, &finding);
+    nck_decode_note(self, &finding);
 }

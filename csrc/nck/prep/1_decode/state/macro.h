@@ -17,6 +17,9 @@ enum {
     NCK_DECODE_IDLE_MOST = 1000000    // lines without a block before a program counts as endless
 };
 
+// Of M97 the key of a frame is the number of the line and this.
+#define NCK_LINE_KEY ((uint64_t)1 << 40)
+
 enum { NCK_LABEL_MOST = 99999999, NCK_VARIABLE_LAST = 99999 }; // of O and N; of #
 
 // What a parameter without a value is: no number of a program is as large.
@@ -40,7 +43,7 @@ typedef struct nck_variable {
 // What a frame is of.
 typedef enum nck_frame_kind {
     NCK_FRAME_SUB = 1,     // O word call: ends at endsub or return
-    NCK_FRAME_PROGRAM = 2, // M98: ends at M99, parameters are the caller's
+    NCK_FRAME_PROGRAM = 2, // M98, M97: ends at M99, parameters are the caller's
     NCK_FRAME_MACRO = 3,   // G65, G66: the same, parameters of its own
     NCK_FRAME_CONTOUR = 4, // G70 P Q: ends behind line Q, parameters are the caller's
     NCK_FRAME_WHILE = 5,   // place: before the line of the condition

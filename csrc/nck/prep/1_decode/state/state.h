@@ -52,6 +52,9 @@ void nck_decode_find(nck_decode_t *self, const nck_diagnostic_t *finding);
 // Give a note if the program leaves it to the machine. Cost: constant.
 void nck_decode_assume(nck_decode_t *self, nck_note_t note);
 
+// Give a note of these numbers, once in a program. Cost: constant.
+void nck_decode_note(nck_decode_t *self, const nck_diagnostic_t *finding);
+
 // Give a note, once in a program, about what a word asks for. Cost: constant.
 void nck_decode_note_word(nck_decode_t *self, nck_note_t note, char letter, double value);
 // The same about a G code.

@@ -6,6 +6,7 @@
 
 enum {
     RIGID = 290, // M29
+    PLAIN = 30,  // G3
     // Haas: G110 … G129 are G154 P1 … P20. G112 and G113 mean something else to Fanuc.
     FURTHER = 1100, FURTHER_LAST = 1290, POLAR = 1120, POLAR_END = 1130
 };
@@ -16,7 +17,7 @@ enum {
     DRILL_Q, HOLE, HOLE_P, RADIUS, DIAMETER, TAP, TURN_PLANE, SCALE, MIRROR, DYNAMIC, INPUT,
     ANALOGUE, BEZIER, PARABOLA, NURBS, KNOTS, TURN, FACE, PECK, PASS, PASS_Q, THREAD, SCREW,
     SCREW_FANUC, LINES, SUB, COUNT, LEVEL, ROUGHNESS, EITHER,
-    HOLE_PQ, BORE, ASKED, SETS
+    HOLE_PQ, BORE, ASKED, RING, SETS
 };
 
 static const uint32_t letters_of[SETS] = {
@@ -70,6 +71,7 @@ static const uint32_t letters_of[SETS] = {
             | NCK_LETTER('I') | NCK_LETTER('P') | NCK_LETTER('R'),
     [COUNT] = NCK_LETTER('P'),
     [ASKED] = NCK_LETTER('Q'),
+    [RING] = NCK_LETTERS_XYZ | NCK_LETTERS_CENTRE | NCK_LETTER('L'),
     [EITHER] = NCK_LETTER('D') | NCK_LETTER('H'),
     [HOLE_PQ] = NCK_LETTERS_AXES | NCK_LETTER('R') | NCK_LETTER('L') | NCK_LETTER('K')
                 | NCK_LETTER('P') | NCK_LETTER('Q'),
@@ -160,6 +162,7 @@ static const code_t cycle_codes[] = {
     {L | 850, NCK_STEP_MOTION, DRILL}, {F | 850, NCK_STEP_MOTION, HOLE},
     {L | 860, NCK_STEP_MOTION, DRILL_P}, {F | 860, NCK_STEP_MOTION, HOLE_P},
     {L | 890, NCK_STEP_MOTION, DRILL_P}, {F | 890, NCK_STEP_MOTION, HOLE_P},
+    {F | 700, NCK_STEP_MOTION, RING}, {F | 710, NCK_STEP_MOTION, RING},
     {F | NCK_MOTION_SCREW, NCK_STEP_MOTION, BORE},
     {F | NCK_MOTION_BORE_BACK, NCK_STEP_MOTION, BORE},
     {L | NCK_MOTION_TAP_RIGHT, NCK_STEP_MOTION, DRILL_P},
@@ -208,11 +211,14 @@ static const code_t m_codes[] = {
     {ALL | 70, NCK_STEP_MIST, NONE},
     {ALL | 80, NCK_STEP_FLOOD, NONE}, {ALL | 90, NCK_STEP_FLOOD, NONE},
     {L | F | T | 480, NCK_STEP_OVERRIDE, NONE}, {L | F | T | 490, NCK_STEP_OVERRIDE, NONE},
-    {L | F | T | 980, NCK_STEP_CALL, CALL}, {L | F | T | 990, NCK_STEP_CALL, CALL},
+    {F | T | 970, NCK_STEP_CALL, CALL}, {L | F | T | 980, NCK_STEP_CALL, CALL},
+    {L | F | T | 990, NCK_STEP_CALL, CALL},
     {L | G | 620, NCK_STEP_PORT, DWELL}, {L | G | 630, NCK_STEP_PORT, DWELL},
     {L | G | 640, NCK_STEP_PORT, DWELL}, {L | G | 650, NCK_STEP_PORT, DWELL},
     {L | G | 660, NCK_STEP_PORT, INPUT}, {L | G | 670, NCK_STEP_PORT, ANALOGUE},
     {L | G | 680, NCK_STEP_PORT, ANALOGUE}, {L | 700, NCK_STEP_STATE, NONE},
+    {L | 500, NCK_STEP_OVERRIDE, COUNT}, {L | 510, NCK_STEP_OVERRIDE, COUNT},
+    {L | 520, NCK_STEP_OVERRIDE, COUNT}, {L | 530, NCK_STEP_OVERRIDE, COUNT},
     {L | 710, NCK_STEP_STATE, NONE}, {L | 720, NCK_STEP_STATE, NONE},
     {L | 730, NCK_STEP_STATE, NONE}
 };
@@ -231,16 +237,16 @@ static const uint16_t g_later[] = {
     F | 480, T | 490, T | 500, T | 501, F | T | 503, T | 510, T | 511, F | T | 512,
     F | T | 531, F | 532, F | T | 536, F | 542, F | 544, F | T | P | 600, P | 610,
     F | T | 661, T | 680, F | T | 681, F | 682, F | 683, F | 684, T | 690,
-    F | T | 691, L | F | 700, L | F | 710, L | 711, L | 712, L | F | 720, L | F | 721, L | F | 722,
+    F | T | 691, L | 700, L | 710, L | 711, L | 712, L | F | 720, L | F | 721, L | F | 722,
     F | 750, P | 760, F | 770, F | 780, F | 790, T | 810, F | T | 811, T | 820, T | 830, T | 840,
     F | T | 842, F | T | 843, T | 850, T | 860, L | T | 870, L | F | T | 880, T | 890, F | 911,
-    F | T | P | 921, T | 980, T | 990, F | T | 1070, F | T | 1120, F | T | 1130
+    F | T | P | 921, T | 980, T | 990, F | T | 1070, F | T | 1120, F | T | 1130, F | 1500
 };
 
 static const uint16_t m_later[] = {
     ALL | 100, ALL | 110, ALL | 130, ALL | 140, ALL | 190, F | T | 290, P | 300, ALL | 400,
-    ALL | 410, ALL | 420, ALL | 430, ALL | 440, ALL | 450, P | 480, P | 490, L | 500, L | 510,
-    L | 520, L | 530, G | 560, F | T | 960, F | T | 970, F | T | 1980
+    ALL | 410, ALL | 420, ALL | 430, ALL | 440, ALL | 450, P | 480, P | 490, G | 560,
+    F | T | 960, F | T | 1980
 };
 
 #define ALL_OF(rows) rows, sizeof rows / sizeof rows[0]
@@ -363,6 +369,24 @@ static nck_status_t other_code(const nck_decode_t *self, int g, int64_t tenths,
     return g ? NCK_E_G_UNKNOWN : NCK_E_M_UNKNOWN;
 }
 
+// A G code of LinuxCNC's that grblHAL has not.
+static int is_lacking(const nck_decode_t *self, int64_t tenths) {
+    static const uint16_t lacks[] = {52, 53, 90, 331, 410, 411, 420, 421, 520, 611, 640,
+                                     NCK_MOTION_TAP_LEFT, NCK_MOTION_TAP_RIGHT, 901};
+    if (!NCK_HAS_FOREIGN || self->tongue != NCK_TONGUES_GRBLHAL) return 0;
+    for (size_t k = 0; k < sizeof lacks / sizeof lacks[0]; k++) {
+        if (lacks[k] == tenths) return 1;
+    }
+    return 0;
+}
+
+// G0 to G3 are everybody's, and nothing more is asked of them.
+static nck_status_t check_able(const nck_decode_t *self, const code_t *code, int64_t tenths) {
+    if (tenths <= PLAIN) return NCK_OK;
+    if (is_lacking(self, tenths)) return NCK_E_OTHER_BASE;
+    return is_able(self, code) ? NCK_OK : NCK_E_UNSUPPORTED;
+}
+
 nck_status_t nck_decode_code(const nck_decode_t *self, int letter, int64_t tenths,
                              unsigned *step_out, uint32_t *takes_out) {
     const int g = letter == 'G';
@@ -370,10 +394,9 @@ nck_status_t nck_decode_code(const nck_decode_t *self, int letter, int64_t tenth
                                  : find(ALL_OF(m_codes), tenths, self->tongue);
     *takes_out = 0;
     if (code == NULL) return other_code(self, g, tenths, step_out, takes_out);
-    if (g && !is_able(self, code)) return NCK_E_UNSUPPORTED;
     *step_out = code->step;
     *takes_out = letters_of[code->takes];
-    return NCK_OK;
+    return g ? check_able(self, code, tenths) : NCK_OK;
 }
 
 int nck_words_are_arguments(const nck_words_t *words) {
