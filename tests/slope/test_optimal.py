@@ -47,12 +47,22 @@ def test_a_program_keeps_its_promises(seed):
 # One in a hundred and fifty passes one, by a tenth, where a clock sets off in a bend while a new
 # plan comes: it must not overtake that.
 @pytest.mark.sample(2)
-@pytest.mark.parametrize("operate", [clocked.operated, clocked.slowed])
 @pytest.mark.parametrize("part", range(8))
-def test_whatever_the_operator_does_the_path_keeps_limits_of_its_own(part, operate):
+def test_whatever_the_operator_does_the_path_keeps_limits_of_its_own(part):
     seeds = range(9 * part, 9 * part + 9, 3)
-    found = [clocked.findings(seed, operate=operate) for seed in seeds]
+    found = [clocked.findings(seed, operate=clocked.operated) for seed in seeds]
     assert sum(words != "" for words in found) <= 1, found
+
+
+# An override that came down while a hold stood was answered by one more plan that slows down: a
+# fiftieth of what was left, at a place from which the path goes on. There the tool crept for
+# seconds, went back (21, 96, 101), or took twice its jerk (58). What one such plan had left was too
+# slow to find an end from (219, 244, 459, 501). Of 500 two pass the jerk of their path, by 6 and 12
+# %, where a clock sets off while the plan brakes.
+@pytest.mark.sample(8)
+@pytest.mark.parametrize("seed", [21, 58, 96, 101, 219, 244, 459, 501, *range(150, 219)])
+def test_overrides_that_come_down_around_a_hold_break_nothing(seed):
+    assert clocked.findings(seed, operate=clocked.slowed) == ""
 
 
 @pytest.mark.sample(6)

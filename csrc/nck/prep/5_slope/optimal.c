@@ -239,6 +239,18 @@ static nck_status_t solve_again(nck_optimal_t *self) {
     return set_wish(self);
 }
 
+// A plan that slows down for a rest may be of no end: what it is slowed down to is a bound from
+// above. The path goes on from where it has rested, so nowhere is it left slower than that. Both
+// plans keep their limits, and so does what lies between them.
+static void keep_off_rest(nck_optimal_t *self) {
+    static const double share = SLOWER_LEAST * SLOWER_LEAST;
+    const nck_optimal_pace_t *const now = nck_optimal_now(self);
+    nck_optimal_pace_t *const work = nck_optimal_work(self);
+    for (uint32_t k = 0; k <= work->n; k++) {
+        work->b[k] += share * (now->b[work->first - now->first + k] - work->b[k]);
+    }
+}
+
 static nck_status_t solve_motion(nck_optimal_t *self) {
     const nck_status_t status = nck_motion_step(&self->motion);
     nck_optimal_pace_t *const work = nck_optimal_work(self);
@@ -249,6 +261,7 @@ static nck_status_t solve_motion(nck_optimal_t *self) {
         work->b[k] = factor * (double)nck_motion_b(&self->motion, (int)k);
     }
     if (factor < AGAIN_BELOW && self->again < AGAIN_MOST) return solve_again(self);
+    if (self->job.kind == NCK_JOB_BRAKE) keep_off_rest(self);
     const nck_optimal_pace_t *const now = nck_optimal_now(self);
     for (uint32_t k = 0; nck_optimal_goes_on(self) && k < NCK_OPTIMAL_GIVEN; k++) {
         work->b[k] = now->b[work->first - now->first + k]; // to the bit

@@ -252,7 +252,8 @@ static double reached(nck_optimal_t *self, uint32_t k) {
 }
 
 // A pace to begin with, which may break limits by far: the last plan's, as far as that is not the
-// brake for its window's end; the clock's own behind it, with a brake for this window's end.
+// brake for its window's end, nor one for a rest, from which no end is found in time; the clock's
+// own behind it, with a brake for this window's end.
 static double pace_guess(nck_optimal_t *self, uint32_t k, double most) {
     const nck_optimal_pace_t *const work = nck_optimal_work(self);
     const nck_optimal_pace_t *const now = nck_optimal_now(self);
@@ -264,7 +265,8 @@ static double pace_guess(nck_optimal_t *self, uint32_t k, double most) {
     double b = GUESS * nck_min(most, 1.0);
     if (k > 0) b = nck_min(b, reached(self, k));
     if (!work->ends && x < 1.0) b *= x * nck_sqrt(nck_sqrt(x));
-    if (nck_optimal_goes_on(self) && at <= now->top) b = AGAIN * now->b[at];
+    const int is_near = nck_optimal_goes_on(self) && !self->now->slows;
+    if (is_near && at <= now->top) b = AGAIN * now->b[at];
     if (nck_optimal_slows(self)) b = now->b[at];
     return nck_max(b, PACE_LEAST);
 }
