@@ -112,6 +112,14 @@ static void look_at(nck_optimal_t *self, const nck_node_t *piece, uint32_t numbe
     for (int n = span[0]; n <= span[1]; n++) around->along = nck_num_max(around->along, along[n]);
 }
 
+// 1 if a plan looks at a piece: those of its window, and those before it that it goes on from.
+// Whether more of the path is known hangs on time.
+static int is_in_sight(nck_optimal_t *self, uint32_t number) {
+    const nck_optimal_pace_t *const work = nck_optimal_work(self);
+    const int32_t at = (int32_t)(number - work->first);
+    return at < (int32_t)work->n && (at >= 0 || nck_optimal_goes_on(self));
+}
+
 // Begin of the path's motion or of the window, and its end, end what is looked at.
 static void look_around(nck_optimal_t *self, const nck_pieces_t *pieces, uint32_t number,
                         nearby_t *around_out) {
@@ -121,7 +129,7 @@ static void look_around(nck_optimal_t *self, const nck_pieces_t *pieces, uint32_
     for (uint32_t n = 0; n < 4; n++) {
         const uint32_t at = number + n - 2;
         const nck_node_t *const piece = nck_plan_piece(pieces, at);
-        const int is_of_run = piece && piece->length > 0.0
+        const int is_of_run = is_in_sight(self, at) && piece && piece->length > 0.0
                               && nck_link_seg(self->link, piece->seg)->keeps == NCK_KEEP_CLOCK;
         if (is_of_run) look_at(self, piece, at, span[n], around_out);
     }
