@@ -333,10 +333,10 @@ static nck_status_t begin_motion(nck_stream_t *self) {
     wish.ends = (self->clock.ends ? NCK_MOTION_FREE_END : NCK_MOTION_OPEN_END)
                | (self->clock.begins ? 0U : NCK_MOTION_INSIDE);
     wish.most = self->wish.most;
-    wish.ends |= NCK_MOTION_ROUGH;
+    wish.ends |= NCK_MOTION_COARSE;
     wish.gap = PLAN_GAP;
     wish.room = PLAN_ROOM;
-    return nck_motion_begin(&self->work.motion, &wish);
+    return nck_motion_begin(&self->work.plan.motion, &self->work.plan.work, &wish);
 }
 
 // One node: r′ and r″ over the clock, and the cap of b by feed and axis speeds.
@@ -356,14 +356,14 @@ static void set_node(nck_stream_t *self, int k) {
         square += first * first;
     }
     self->near = nck_track_find(&self->track, self->near, self->clock.s[4 * k]);
-    const double feed = nck_track_at(&self->track, self->near)->words.feed;
+    const double feed = nck_track_at(&self->track, self->near)->feed;
     double least = 1.0 / FASTEST;
     least = nck_max(least, slowness * slowness);
     if (feed > 0.0) least = nck_max(least, square / (feed * feed));
     const double pace = (self->told.plans > 0 ? NEAR : FRESH)
                         * nck_timing_pace(&self->clock, &self->track, &self->near, k);
     const nck_num cap_and_b[2] = {(nck_num)(1.0 / least), (nck_num)pace};
-    nck_motion_node(&self->work.motion, k, p1, p2, cap_and_b);
+    nck_motion_node(&self->work.plan.motion, k, p1, p2, cap_and_b);
 }
 
 static nck_status_t set_nodes(nck_stream_t *self) {
@@ -397,13 +397,13 @@ static int is_steady(const nck_stream_t *self) {
 }
 
 static nck_status_t make_motion(nck_stream_t *self) {
-    if (nck_motion_step(&self->work.motion) == NCK_OK) return NCK_OK;
+    if (nck_motion_step(&self->work.plan.motion) == NCK_OK) return NCK_OK;
     nck_motion_told_t told;
-    nck_motion_told(&self->work.motion, &told);
+    nck_motion_told(&self->work.plan.motion, &told);
     self->told.plans += (uint32_t)told.iterations;
     int good = 1;
     for (int k = 0; k <= self->clock.knots; k++) {
-        self->b[k] = nck_motion_b(&self->work.motion, k);
+        self->b[k] = nck_motion_b(&self->work.plan.motion, k);
         good = good && self->b[k] >= 0 && self->b[k] < (nck_num)1e9;
     }
     for (int k = 0; k <= self->clock.knots && !good; k++) self->b[k] = (nck_num)NEAR;
@@ -473,14 +473,15 @@ double nck_stream_place(const nck_stream_t *self) { return self->clock.s[4 * sel
 // shorter than a knot.
 static void set_words(const nck_stream_t *self, double end, nck_track_words_t *words_out) {
     const nck_track_t *const track = &self->track;
-    *words_out = nck_track_at(track, self->near)->words;
+    nck_track_words(track, self->near, words_out);
     for (uint32_t n = self->near + 1; n != track->head; n++) {
         const nck_track_element_t *const element = nck_track_at(track, n);
         if (!(element->s < end)) return;
-        if (!(element->words.feed < words_out->feed)) continue;
-        words_out->feed = element->words.feed;
-        words_out->feed_scale = element->words.feed_scale;
-        words_out->rapid = element->words.rapid;
+        if (!(element->feed < words_out->feed)) continue;
+        nck_track_words_t words;
+        nck_track_words(track, n, &words);
+        words.spin = words_out->spin;
+        *words_out = words;
     }
 }
 
@@ -492,7 +493,7 @@ void nck_stream_take(nck_stream_t *self, nck_stream_piece_t *piece_out) {
     self->near = nck_track_find(&self->track, self->near, piece_out->s[0]);
     const nck_track_element_t *const element = nck_track_at(&self->track, self->near);
     memcpy(piece_out->line, element->line, sizeof piece_out->line);
-    piece_out->block = element->block[0];
+    piece_out->block = element->block;
     set_words(self, piece_out->s[1], &piece_out->words);
     const int begins = self->clock.begins && i == 0;
     const int ends = (self->clock.ends || self->halts) && i + 1 == self->commit;

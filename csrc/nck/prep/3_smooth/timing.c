@@ -155,7 +155,7 @@ static double next_place(nck_timing_t *self, double end) {
 // How fast a place may be passed by all that is known.
 static nck_num speed_of(nck_timing_t *self, const nck_track_t *track, sight_t *sight,
                        const nck_track_element_t *element) {
-    const nck_num feed = (nck_num)element->words.feed;
+    const nck_num feed = (nck_num)element->feed;
     const double s = sight->middle.s;
     const nck_num around = look_around(self, track, sight, (nck_num)reach_of(self) * feed);
     const nck_num v = nck_timing_near_rest(self->terms, s, nck_num_min(around, feed));
@@ -184,7 +184,7 @@ static nck_num wide_at(const nck_timing_t *self, const nck_track_t *track, uint3
     if (self->even) return 0;
     *near = nck_track_find(track, *near, s);
     const nck_track_element_t *const element = nck_track_at(track, *near);
-    const double v = nck_min(element->words.feed, terms->v_most);
+    const double v = nck_min(element->feed, terms->v_most);
     if (element->kind != NCK_SEG_LINE || !(terms->longest > 1.0) || !(v > 0.0)) return 0;
     const nck_num way = (nck_num)(s - element->s);
     const nck_num length = (nck_num)element->length;
@@ -203,7 +203,7 @@ nck_status_t nck_timing_look(nck_timing_t *self, const nck_track_t *track) {
     uint32_t *const near = &self->guess.near[2 * NCK_TIMING_RUNGS];
     *near = nck_track_find(track, *near, s);
     const nck_track_element_t *const element = nck_track_at(track, *near);
-    if (!self->closed && s + reach_of(self) * element->words.feed > sight.known) {
+    if (!self->closed && s + reach_of(self) * element->feed > sight.known) {
         if (!nck_track_is_full(track) && !self->hurries) return NCK_EMPTY;
         self->brakes = self->guess.head - self->guess.tail < NCK_FAIR_WINDOW;
         if (s > sight.known) return NCK_DONE;
@@ -223,7 +223,7 @@ int nck_timing_hurry(nck_timing_t *self) {
 
 double nck_timing_reach(const nck_timing_t *self, const nck_track_t *track) {
     const uint32_t near = nck_track_find(track, track->tail, self->s[0]);
-    return reach_of(self) * nck_track_at(track, near)->words.feed;
+    return reach_of(self) * nck_track_at(track, near)->feed;
 }
 
 void nck_timing_drop(nck_timing_t *self, double s) {
@@ -273,7 +273,7 @@ double nck_timing_pace(const nck_timing_t *self, const nck_track_t *track, uint3
     if (!nck_timing_is_wide(self, track, near, knot)) return 1.0;
     const nck_track_element_t *const element = nck_track_at(track, *near);
     const double way = nck_min(s - element->s, element->s + element->length - s);
-    const double feed = element->words.feed;
+    const double feed = element->feed;
     const double vv = nck_min(feed * feed, 2.0 * self->terms->a_least * way);
     return nck_min(1.0, vv / (rate * rate));
 }
