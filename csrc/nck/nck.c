@@ -85,9 +85,18 @@ static nck_status_t pull_item(nck_t *nck) {
     return status == NCK_FULL ? NCK_OK : status;
 }
 
+// 1 if no seg that the look-ahead still knows would be written over: its ring may have as many
+// nodes as there are segs, and keeps those that the tick has passed.
+static inline int keeps_known(const nck_t *nck) {
+    const uint32_t head = nck->link.seg_head;
+    return NCK_NODE_MAX < NCK_SEG_MAX
+           || head - nck_lookahead_oldest(&nck->lookahead, head) < NCK_SEG_MAX;
+}
+
 // The same, if there is room and any is there. NCK_EMPTY: it needs a block.
 static inline nck_status_t carry_item(nck_t *nck) {
     if (!nck_link_has_room(&nck->link) || !nck_lookahead_has_room(&nck->lookahead)) return NCK_FULL;
+    if (!keeps_known(nck)) return NCK_FULL;
     return nck_smooth_is_hungry(&nck->smooth) ? NCK_EMPTY : pull_item(nck);
 }
 
@@ -219,13 +228,13 @@ static inline nck_pieces_t pieces_of(nck_t *nck) {
     return pieces;
 }
 
-// The pieces before this number are done with.
+// The pieces before this number are done with. One planner may be done with more than the next.
 static void drop_before(nck_t *nck, uint32_t number) {
-    const uint32_t count = number - nck->lookahead.window.head;
-    for (uint32_t i = 0; nck->hooks.on_node && i < count; i++) {
-        nck->hooks.on_node(nck->hooks.user, nck_lookahead_ahead(&nck->lookahead, i));
+    const int32_t count = (int32_t)(number - nck->lookahead.window.head);
+    for (int32_t i = 0; nck->hooks.on_node && i < count; i++) {
+        nck->hooks.on_node(nck->hooks.user, nck_lookahead_ahead(&nck->lookahead, (uint32_t)i));
     }
-    if (count > 0) nck_lookahead_drop(&nck->lookahead, count);
+    if (count > 0) nck_lookahead_drop(&nck->lookahead, (uint32_t)count);
 }
 
 // 1 if the path would leave the soft limits, and brakes.

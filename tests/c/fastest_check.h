@@ -16,6 +16,7 @@ static const double tau = 0.004;
 static const double met = sizeof(nck_num) == 4 ? 1.1e-3 : 2e-4;
 
 static nck_motion_t motion;
+static nck_motion_work_t work;
 static nck_motion_wish_t wish;
 static double knots[KNOTS][AXES]; // control points of a uniform cubic B-spline
 static double guess[NODES], cap[NODES];
@@ -51,7 +52,7 @@ static double second_of(int k, int x) {
 // Solve. Returns the number of steps.
 static int plan(check_t *check) {
     int steps = 1;
-    CHECK_INT(check, nck_motion_begin(&motion, &wish), NCK_OK);
+    CHECK_INT(check, nck_motion_begin(&motion, &work, &wish), NCK_OK);
     for (int k = 0; k < wish.nodes; k++) {
         const nck_num p1[AXES] = {(nck_num)first_of(k, 0), (nck_num)first_of(k, 1)};
         const nck_num p2[AXES] = {(nck_num)second_of(k, 0), (nck_num)second_of(k, 1)};
@@ -423,7 +424,7 @@ static void a_rough_motion_tells_the_time(check_t *check) {
         cap_speeds();
         plan(check);
         const double time = told().time;
-        wish.ends |= NCK_MOTION_ROUGH;
+        wish.ends |= NCK_MOTION_COARSE;
         plan(check);
         CHECK(check, told().least >= -met);
         CHECK_NEAR(check, told().time, time, 0.04 * time);
@@ -437,7 +438,7 @@ static void a_window_has_so_many_steps(check_t *check) {
     const int chunks = (NODES + NCK_MOTION_LANES - 1) / NCK_MOTION_LANES;
     begin();
     lay_waves(2);
-    wish.ends |= NCK_MOTION_ROUGH;
+    wish.ends |= NCK_MOTION_COARSE;
     const int steps = plan(check);
     const int rounds = told().iterations;
     CHECK(check, rounds > 3 && rounds < 40);
@@ -447,19 +448,19 @@ static void a_window_has_so_many_steps(check_t *check) {
 static void what_is_out_of_range_is_refused(check_t *check) {
     begin();
     wish.nodes = NCK_MOTION_NODES + 1;
-    CHECK_INT(check, nck_motion_begin(&motion, &wish), NCK_E_ARGUMENT);
+    CHECK_INT(check, nck_motion_begin(&motion, &work, &wish), NCK_E_ARGUMENT);
     begin();
     wish.axes = NCK_AXIS_MAX + 1;
-    CHECK_INT(check, nck_motion_begin(&motion, &wish), NCK_E_ARGUMENT);
+    CHECK_INT(check, nck_motion_begin(&motion, &work, &wish), NCK_E_ARGUMENT);
     begin();
     wish.fixed = NODES - 1;
-    CHECK_INT(check, nck_motion_begin(&motion, &wish), NCK_E_ARGUMENT);
+    CHECK_INT(check, nck_motion_begin(&motion, &work, &wish), NCK_E_ARGUMENT);
     begin();
     wish.gap = 0.0;
-    CHECK_INT(check, nck_motion_begin(&motion, &wish), NCK_E_ARGUMENT);
+    CHECK_INT(check, nck_motion_begin(&motion, &work, &wish), NCK_E_ARGUMENT);
     begin();
     wish.room = 0.0;
-    CHECK_INT(check, nck_motion_begin(&motion, &wish), NCK_E_ARGUMENT);
+    CHECK_INT(check, nck_motion_begin(&motion, &work, &wish), NCK_E_ARGUMENT);
 }
 
 // Run them all. Returns the exit status.

@@ -13,7 +13,7 @@ static nck_machine_t machine;
 static nck_link_t link;
 static nck_plan_t now;
 static nck_plan_t next;
-static nck_node_t ring[NCK_WINDOW];
+static nck_node_t ring[NCK_NODE_MAX];
 static nck_jerk_t jerk;
 
 // A ladder of CELLS cells over one piece. standing: a bit for every node but the last, which rests.

@@ -74,7 +74,6 @@ static void every_source_line_is_in_one_element(check_t *check)
     for (uint32_t k = track.tail; k != track.head; k++) {
         CHECK_INT(check, nck_track_at(&track, k)->line[0], next);
         next = nck_track_at(&track, k)->line[1] + 1;
-        CHECK_INT(check, nck_track_at(&track, k)->block[1], next - 1);
     }
     CHECK_INT(check, next - 1, count);
 }

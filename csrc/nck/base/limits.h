@@ -97,8 +97,9 @@
 #endif
 
 // Knots of the optimal slope's window (path.slope = "optimal"). A multiple of 8, 64..1024; 0 leaves
-// it out. It needs smoothing, the jerk-limited slope and pieces of look-ahead for one and a half
-// windows. Below 256 its solvers have single precision, half of the memory, and knots are further
+// it out. It needs smoothing, the jerk-limited slope and segs for one and a half windows. 64 last
+// 0.15 to 0.26 s on the shipped machines: half of them is what a stop takes, so fewer would be no
+// window. Below 256 its solvers have single precision, half of the memory, and knots are further
 // apart, which costs a few per cent of the time.
 #ifndef NCK_CLOCKED
 #define NCK_CLOCKED 0
@@ -112,6 +113,14 @@
 
 // Segs alive at once: window, corner span and cells all point into this ring.
 #define NCK_SEG_MAX (2 * NCK_WINDOW)
+
+// Nodes in the ring of the look-ahead: a window of the exact path, or what two plans of the optimal
+// slope see, one of which begins half a window behind the other; there a seg is one node.
+#if 3 * NCK_CLOCKED + 40 > 2 * NCK_WINDOW
+#define NCK_NODE_MAX NCK_SEG_MAX
+#else
+#define NCK_NODE_MAX NCK_WINDOW
+#endif
 
 // Cells of a stop tail: the rest of the window, to rest.
 #if NCK_PROFILE > NCK_WINDOW
@@ -229,6 +238,8 @@
 // Intervals of a window of the curve, elements of its track, outputs on their way along it
 // (3_smooth/CURVE.md), nodes of a motion's window (base/motion.h). Where there is no optimal slope
 // they are those of its rooms' tests.
+// Sets of words along the track that change seldom: G96, and how the feed is meant, which rotary
+// axes change from line to line.
 #if NCK_CLOCKED >= 256
 #define NCK_CLOCKED_TRACK 4096
 #define NCK_CLOCKED_OUTPUTS 1024
@@ -251,6 +262,11 @@
 #else
 #define NCK_CLOCKED_WINDOW 128
 #define NCK_MOTION_NODES 264
+#endif
+#if NCK_AXIS_MAX > 3
+#define NCK_CLOCKED_WORDS NCK_CLOCKED_TRACK
+#else
+#define NCK_CLOCKED_WORDS 16
 #endif
 // Nodes that are worked on side by side: sums over nodes are sums of so many sums, whatever the
 // processor, so that loops become vectors of the same bits.
@@ -365,8 +381,8 @@
 #endif
 // A plan begins half a window behind the one before and has all pieces of its own. Without their
 // room it would wait for what has none.
-#if NCK_CLOCKED > 0 && 3 * NCK_CLOCKED + 40 > 2 * NCK_WINDOW
-#error "3 * NCK_CLOCKED + 40 must not exceed 2 * NCK_WINDOW"
+#if NCK_CLOCKED > 0 && 3 * NCK_CLOCKED + 40 > 4 * NCK_WINDOW
+#error "3 * NCK_CLOCKED + 40 must not exceed 4 * NCK_WINDOW"
 #endif
 #if NCK_SMOOTH_SPAN & (NCK_SMOOTH_SPAN - 1)
 #error "NCK_SMOOTH_SPAN must be a power of two"

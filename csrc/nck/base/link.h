@@ -25,6 +25,7 @@
 #include "nck/base/fence.h"   // nck_fence_load and its kin
 #include "nck/base/limits.h"  // capacities
 #include "nck/base/marks.h"   // nck_marks_t
+#include "nck/base/motion.h"  // nck_motion_work_t
 #include "nck/base/records.h" // nck_cell_t nck_seg_t nck_output_t
 #include "nck/base/status.h"  // nck_status_t
 
@@ -46,9 +47,12 @@ typedef enum nck_link_owner {
 } nck_link_owner_t;
 
 // What prep finds in the memory of the next tail as long as it builds none there.
-typedef struct nck_link_spare {
-    double number[6][NCK_TAIL_MAX];
-    uint32_t index[NCK_TAIL_MAX];
+typedef union nck_link_spare {
+    struct {
+        double number[6][NCK_TAIL_MAX];
+        uint32_t index[NCK_TAIL_MAX];
+    } ladder;
+    NCK_OPTIMAL_MEMBER(nck_motion_work_t, motion)
 } nck_link_spare_t;
 
 // The memory of a tail.

@@ -86,11 +86,11 @@ static void add_time(nck_motion_t *self, int chunk) {
         self->sums.time[k] += NCK_NUM_OF(2) * tau * per;
     }
     for (int k = 0; k < NCK_MOTION_LANES; k++) {
-        self->g[first + k] += here[k];
-        self->g[first + k + 1] += behind[k];
-        self->h0[first + k] += before2[k];
-        self->h1[first + k] += cross2[k];
-        self->h0[first + k + 1] += behind2[k];
+        self->work->g[first + k] += here[k];
+        self->work->g[first + k + 1] += behind[k];
+        self->work->h0[first + k] += before2[k];
+        self->work->h1[first + k] += cross2[k];
+        self->work->h0[first + k + 1] += behind2[k];
     }
 }
 
@@ -98,25 +98,25 @@ static void add_time(nck_motion_t *self, int chunk) {
 
 // Beyond its ends b is even: what rows tell of node −1 is told of node 1.
 static void fold(nck_motion_t *self) {
-    nck_num *const h0 = line_of(self->h0);
-    nck_num *const h1 = line_of(self->h1);
-    nck_num *const h2 = line_of(self->h2);
+    nck_num *const h0 = line_of(self->work->h0);
+    nck_num *const h1 = line_of(self->work->h1);
+    nck_num *const h2 = line_of(self->work->h2);
     const int last = self->wish.nodes - 1;
     h0[1] += h0[-1] + NCK_NUM_OF(2) * h2[-1];
     h1[0] += h1[-1];
     h0[last - 1] += h0[last + 1] + NCK_NUM_OF(2) * h2[last - 1];
     h1[last - 1] += h1[last];
-    self->g[2] += self->g[0];
-    self->g[last] += self->g[last + 2];
+    self->work->g[2] += self->work->g[0];
+    self->work->g[last] += self->work->g[last + 2];
 }
 
 // Factors in place of the matrix: 1/D, and L below it. Where rounding has taken a pivot away its
 // node stays in this step.
 static void factor(nck_motion_t *self) {
-    nck_num *const h0 = line_of(self->h0);
-    nck_num *const h1 = line_of(self->h1);
-    nck_num *const h2 = line_of(self->h2);
-    nck_num *const least = line_of(self->step_b);
+    nck_num *const h0 = line_of(self->work->h0);
+    nck_num *const h1 = line_of(self->work->h1);
+    nck_num *const h2 = line_of(self->work->h2);
+    nck_num *const least = line_of(self->work->step_b);
     for (int k = self->wish.fixed; k < self->free_end; k++) least[k] = PIVOT_MIN * h0[k];
     for (int k = self->wish.fixed; k < self->free_end; k++) {
         const nck_num per = h0[k] > least[k] ? NCK_NUM_OF(1) / h0[k] : NCK_NUM_OF(0);
@@ -133,14 +133,14 @@ static void factor(nck_motion_t *self) {
 
 // L D Lᵀ step = −gradient; nodes that are not free stay.
 static void substitute(nck_motion_t *self) {
-    const nck_num *const h0 = line_of(self->h0);
-    const nck_num *const h1 = line_of(self->h1);
-    const nck_num *const h2 = line_of(self->h2);
-    nck_num *const x = line_of(self->step_b);
+    const nck_num *const h0 = line_of(self->work->h0);
+    const nck_num *const h1 = line_of(self->work->h1);
+    const nck_num *const h2 = line_of(self->work->h2);
+    nck_num *const x = line_of(self->work->step_b);
     const int low = self->wish.fixed;
     const int end = self->free_end;
-    memset(self->step_b, 0, sizeof self->step_b);
-    for (int k = low; k < end; k++) x[k] = -self->g[k + 1];
+    memset(self->work->step_b, 0, sizeof self->work->step_b);
+    for (int k = low; k < end; k++) x[k] = -self->work->g[k + 1];
     for (int k = low; k < end; k++) {
         if (k + 1 < end) x[k + 1] -= h1[k] * x[k];
         if (k + 2 < end) x[k + 2] -= h2[k] * x[k];
@@ -168,10 +168,10 @@ static nck_num most_of(const nck_num *lanes) {
 }
 
 static void clear_system(nck_motion_t *self) {
-    memset(self->h0, 0, sizeof self->h0);
-    memset(self->h1, 0, sizeof self->h1);
-    memset(self->h2, 0, sizeof self->h2);
-    memset(self->g, 0, sizeof self->g);
+    memset(self->work->h0, 0, sizeof self->work->h0);
+    memset(self->work->h1, 0, sizeof self->work->h1);
+    memset(self->work->h2, 0, sizeof self->work->h2);
+    memset(self->work->g, 0, sizeof self->work->g);
     memset(&self->sums, 0, sizeof self->sums);
 }
 
@@ -226,7 +226,7 @@ static void count_rows(nck_motion_t *self) {
     const int before = self->high - (self->low > 0 ? self->low : 1) + 1;
     const int caps = self->high - self->cap_low + 1;
     const int in_middles = 2 * cells + before;
-    const int is_rough = (self->wish.ends & NCK_MOTION_ROUGH) != 0;
+    const int is_rough = (self->wish.ends & NCK_MOTION_COARSE) != 0;
     const int at_nodes = is_rough ? 0 : NCK_MOTION_ROWS * nodes;
     self->rows = self->limited * (at_nodes + in_middles) + caps;
 }
@@ -293,7 +293,7 @@ static nck_num step_length(const nck_motion_t *self) {
     nck_num step = up > WAY ? WAY / up : NCK_NUM_OF(1);
     nck_num down = 0;
     for (int k = self->wish.fixed; k < self->free_end; k++) {
-        down = nck_num_max(down, -self->step_b[k + 1] / self->b[k + 1]);
+        down = nck_num_max(down, -self->work->step_b[k + 1] / self->b[k + 1]);
     }
     if (down * step > WAY_TO_ZERO) step = WAY_TO_ZERO / down;
     return step;
@@ -303,11 +303,11 @@ static void go(nck_motion_t *self) {
     const nck_num step = step_length(self);
     nck_motion_lanes_t back;
     for (int k = self->wish.fixed; k < self->free_end; k++) {
-        self->b[k + 1] += step * self->step_b[k + 1];
+        self->b[k + 1] += step * self->work->step_b[k + 1];
     }
     for (int k = self->cap_low; k <= self->high; k++) {
-        self->excess[k + 1] += step * self->step_excess[k + 1];
-        self->slack[k + 1] += step * self->step_slack[k + 1];
+        self->work->excess[k + 1] += step * self->work->step_excess[k + 1];
+        self->work->slack[k + 1] += step * self->work->step_slack[k + 1];
     }
     mirror(line_of(self->b), self->wish.nodes);
     self->step = step;
@@ -324,7 +324,7 @@ static void go(nck_motion_t *self) {
 // The end; or, where more than the limits is taken between rows, a few rounds more with reserves.
 static nck_status_t finish(nck_motion_t *self) {
     self->found = most_of(self->sums.most);
-    const int may_mend = !(self->wish.ends & NCK_MOTION_ROUGH) && self->mended < MENDED_MOST;
+    const int may_mend = !(self->wish.ends & NCK_MOTION_COARSE) && self->mended < MENDED_MOST;
     if (may_mend && is_met(self) && self->found > NCK_NUM_OF(1) + MENDED) {
         self->mended++;
         self->most = self->found;
@@ -369,9 +369,12 @@ static int is_in_range(const nck_motion_wish_t *wish) {
            && wish->gap >= 1e-7 && wish->gap <= 1.0 && wish->room > 0.0;
 }
 
-nck_status_t nck_motion_begin(nck_motion_t *self, const nck_motion_wish_t *wish) {
+nck_status_t nck_motion_begin(nck_motion_t *self, nck_motion_work_t *work,
+                              const nck_motion_wish_t *wish) {
     if (!is_in_range(wish)) return NCK_E_ARGUMENT;
     memset(self, 0, sizeof *self);
+    memset(work, 0, sizeof *work);
+    self->work = work;
     for (int k = 0; k < NCK_MOTION_LINE; k++) self->b[k] = NCK_NUM_OF(1);
     self->wish = *wish;
     self->low = wish->fixed > 0 ? wish->fixed - 1 : 0;

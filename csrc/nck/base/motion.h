@@ -69,7 +69,7 @@ extern "C" {
 #define NCK_MOTION_FREE_END 4u // the last node is free: the path itself comes to rest there
 #define NCK_MOTION_SOFT 8u     // caps may be broken at a price: no start is infeasible
 #define NCK_MOTION_FIRM_END 32u // … but the cap of the last node but one
-#define NCK_MOTION_ROUGH 16u   // for the time of it: rows in the middles of cells alone, half the
+#define NCK_MOTION_COARSE 16u  // for the time of it: rows in the middles of cells alone, half the
                                // work; what is taken between them is told, not mended
 
 // What is asked for.
@@ -133,9 +133,23 @@ typedef struct nck_motion_sums {
     nck_motion_lanes_t back; // by how much a multiplier would turn negative
 } nck_motion_sums_t;
 
-// All of a window; its caller owns it and touches no member.
+// Memory of a window that is needed until it is solved.
+typedef struct nck_motion_work {
+    nck_motion_line_t step_b;             // the motion's Newton step
+    nck_motion_line_t h0, h1, h2;         // the Newton matrix' diagonals, then its factors
+    nck_motion_line_t g;                  // gradient
+    nck_motion_line_t cap_z;              // of a cap, its multiplier
+    nck_motion_line_t cap_y;              // SOFT: price less cap_z
+    nck_motion_line_t excess, step_excess; // SOFT: how far beyond the cap, and its step
+    nck_motion_line_t slack, step_slack;  // SOFT: of the cap with its excess, and its step
+    // multipliers
+    nck_num z[NCK_MOTION_CHUNKS][NCK_AXIS_MAX + 1][NCK_MOTION_PLACES][NCK_MOTION_BATCH];
+} nck_motion_work_t;
+
+// All else of it; its caller owns both and touches no member.
 typedef struct nck_motion {
     nck_motion_wish_t wish;
+    nck_motion_work_t *work;
     int low, high;             // rows stand at these nodes
     int cap_low;               // caps from this node on
     int free_end;              // nodes fixed … free_end − 1 are free
@@ -155,25 +169,20 @@ typedef struct nck_motion {
     nck_num ratio[NCK_AXIS_MAX + 1]; // A/(Jτ)
     nck_num speed[NCK_AXIS_MAX + 1]; // 2τA/V
     nck_num share[NCK_AXIS_MAX];     // A of an axis over that of the path
-    nck_motion_line_t b, step_b;          // the motion and its Newton step
-    nck_motion_line_t h0, h1, h2;         // the Newton matrix' diagonals, then its factors
-    nck_motion_line_t g;                  // gradient
+    nck_motion_line_t b;                  // the motion
     nck_motion_sums_t sums;
-    nck_motion_line_t cap, scale, cap_z;  // cap, 1/(its unit), its multiplier
-    nck_motion_line_t cap_y;              // SOFT: price less cap_z
-    nck_motion_line_t excess, step_excess; // SOFT: how far beyond the cap, and its step
-    nck_motion_line_t slack, step_slack;  // SOFT: of the cap with its excess, and its step
+    nck_motion_line_t cap, scale;         // cap, 1/(its unit)
     nck_motion_line_t on_node, on_cell;   // 1 where rows stand, where a cell begins; else 0
     nck_motion_line_t reserve;            // so much more than at its rows is taken about a node
     nck_motion_line_t p1[NCK_AXIS_MAX], p2[NCK_AXIS_MAX]; // p′/(2τA), p″/A
-    // multipliers
-    nck_num z[NCK_MOTION_CHUNKS][NCK_AXIS_MAX + 1][NCK_MOTION_PLACES][NCK_MOTION_BATCH];
 } nck_motion_t;
 
 // Begin a window: nck_motion_node then sets every node 0 … nodes − 1.
+// work: its memory until nck_motion_step says NCK_DONE.
 // NCK_OK, or NCK_E_ARGUMENT: something is out of the range that nck_motion_wish_t has.
-// Cost: the size of nck_motion_t. Context: prep only.
-nck_status_t nck_motion_begin(nck_motion_t *self, const nck_motion_wish_t *wish);
+// Cost: the size of both. Context: prep only.
+nck_status_t nck_motion_begin(nck_motion_t *self, nck_motion_work_t *work,
+                              const nck_motion_wish_t *wish);
 
 // Set node k: p′ [mm/s] and p″ [mm/s²] of each axis over the clock, the cap of b (> 0; it holds
 // feed and axis speeds), and a guess of b (> 0, or 0 at a last node that is a rest), which may

@@ -14,7 +14,7 @@ static cap_t cap_of(const nck_motion_t *self, int k) {
     cap_t cap;
     cap.room = (self->cap[k + 1] - self->b[k + 1]) * self->scale[k + 1];
     cap.is_broken = cap.room <= least;
-    cap.per = cap.is_broken ? self->cap_z[k + 1] * self->slack_per : NCK_NUM_OF(1) / cap.room;
+    cap.per = cap.is_broken ? self->work->cap_z[k + 1] * self->slack_per : NCK_NUM_OF(1) / cap.room;
     return cap;
 }
 
@@ -27,10 +27,10 @@ typedef struct soft_cap {
 static soft_cap_t soft_cap_of(const nck_motion_t *self, int k) {
     soft_cap_t cap;
     cap.room = (self->cap[k + 1] - self->b[k + 1]) * self->scale[k + 1];
-    cap.e = self->excess[k + 1];
-    cap.s = self->slack[k + 1];
-    cap.z = self->cap_z[k + 1];
-    cap.y = self->cap_y[k + 1];
+    cap.e = self->work->excess[k + 1];
+    cap.s = self->work->slack[k + 1];
+    cap.z = self->work->cap_z[k + 1];
+    cap.y = self->work->cap_y[k + 1];
     cap.weight = NCK_NUM_OF(1) / (cap.s / cap.z + cap.e / cap.y);
     return cap;
 }
@@ -45,24 +45,24 @@ static void seed_cap(nck_motion_t *self, int k) {
     const nck_num slack = nck_num_max(room, self->room);
     const nck_num z = self->mu_was / slack;
     if (!nck_motion_is_soft(self, k)) {
-        self->cap_z[k + 1] = z;
+        self->work->cap_z[k + 1] = z;
         return;
     }
     const nck_num half = NCK_NUM_OF(0.5) * self->price;
-    self->cap_z[k + 1] = z < half ? z : half;
-    self->cap_y[k + 1] = self->price - self->cap_z[k + 1];
-    self->excess[k + 1] = nck_num_max(slack - room, self->mu_was / self->cap_y[k + 1]);
-    self->slack[k + 1] = room + self->excess[k + 1];
+    self->work->cap_z[k + 1] = z < half ? z : half;
+    self->work->cap_y[k + 1] = self->price - self->work->cap_z[k + 1];
+    self->work->excess[k + 1] = nck_num_max(slack - room, self->mu_was / self->work->cap_y[k + 1]);
+    self->work->slack[k + 1] = room + self->work->excess[k + 1];
 }
 
 static void assemble_cap(nck_motion_t *self, int k) {
     const cap_t cap = cap_of(self, k);
     const nck_num scale = self->scale[k + 1];
-    const nck_num z = self->cap_z[k + 1];
+    const nck_num z = self->work->cap_z[k + 1];
     const nck_num weight = z * cap.per;
-    self->g[k + 1] += scale * self->mu * cap.per;
-    if (cap.is_broken) self->g[k + 1] += scale * (z - weight * cap.room);
-    self->h0[k + 1] += scale * scale * weight;
+    self->work->g[k + 1] += scale * self->mu * cap.per;
+    if (cap.is_broken) self->work->g[k + 1] += scale * (z - weight * cap.room);
+    self->work->h0[k + 1] += scale * scale * weight;
     self->sums.gone[0] += cap.is_broken ? self->mu_was : cap.room * z;
     self->sums.most[0] = nck_num_max(self->sums.most[0], NCK_NUM_OF(1) - cap.room);
 }
@@ -71,45 +71,47 @@ static void assemble_soft_cap(nck_motion_t *self, int k) {
     const soft_cap_t cap = soft_cap_of(self, k);
     const nck_num scale = self->scale[k + 1];
     const nck_num apart = self->mu / cap.z - self->mu / cap.y;
-    self->g[k + 1] += scale * (cap.z + cap.weight * (apart - cap.room));
-    self->h0[k + 1] += scale * scale * cap.weight;
+    self->work->g[k + 1] += scale * (cap.z + cap.weight * (apart - cap.room));
+    self->work->h0[k + 1] += scale * scale * cap.weight;
     self->sums.gone[0] += cap.s * cap.z + cap.e * cap.y;
     self->sums.paid[0] += self->price * cap.e;
 }
 
 static void direct_cap(nck_motion_t *self, int k) {
     const cap_t cap = cap_of(self, k);
-    const nck_num rise = self->scale[k + 1] * self->step_b[k + 1];
-    const nck_num z = self->cap_z[k + 1];
+    const nck_num rise = self->scale[k + 1] * self->work->step_b[k + 1];
+    const nck_num z = self->work->cap_z[k + 1];
     nck_num now = (self->mu + z * rise) * cap.per;
     if (cap.is_broken) now += z - z * cap.room * cap.per;
     if (!cap.is_broken) self->sums.up[0] = nck_num_max(self->sums.up[0], rise * cap.per);
     self->sums.back[0] = nck_num_max(self->sums.back[0], -now - z);
-    self->cap_z[k + 1] = nck_motion_renewed(now, z);
+    self->work->cap_z[k + 1] = nck_motion_renewed(now, z);
 }
 
 // Multipliers of a cap at a price, z + y = price: the smaller one is kept to all of its digits.
 static void renew_soft_cap(nck_motion_t *self, int k, nck_num dz) {
-    const nck_num z = self->cap_z[k + 1];
-    const nck_num y = self->cap_y[k + 1];
-    self->cap_z[k + 1] = nck_num_max(z + dz, NCK_MOTION_KEPT * z);
-    self->cap_y[k + 1] = nck_num_max(y - dz, NCK_MOTION_KEPT * y);
-    if (z + dz < NCK_MOTION_KEPT * z) self->cap_y[k + 1] = self->price - self->cap_z[k + 1];
-    if (y - dz < NCK_MOTION_KEPT * y) self->cap_z[k + 1] = self->price - self->cap_y[k + 1];
+    nck_num *const cap_z = &self->work->cap_z[k + 1];
+    nck_num *const cap_y = &self->work->cap_y[k + 1];
+    const nck_num z = *cap_z;
+    const nck_num y = *cap_y;
+    *cap_z = nck_num_max(z + dz, NCK_MOTION_KEPT * z);
+    *cap_y = nck_num_max(y - dz, NCK_MOTION_KEPT * y);
+    if (z + dz < NCK_MOTION_KEPT * z) *cap_y = self->price - *cap_z;
+    if (y - dz < NCK_MOTION_KEPT * y) *cap_z = self->price - *cap_y;
     self->sums.back[0] = nck_num_max(self->sums.back[0],
                                 nck_num_max(-dz - NCK_NUM_OF(2) * z, dz - NCK_NUM_OF(2) * y));
 }
 
 static void direct_soft_cap(nck_motion_t *self, int k) {
     const soft_cap_t cap = soft_cap_of(self, k);
-    const nck_num rise = self->scale[k + 1] * self->step_b[k + 1];
+    const nck_num rise = self->scale[k + 1] * self->work->step_b[k + 1];
     const nck_num apart = self->mu / cap.z - self->mu / cap.y;
     const nck_num dz = cap.weight * (apart - cap.room + rise);
     const nck_num de = (self->mu + cap.e * dz) / cap.y - cap.e;
     const nck_num ds = de - rise + cap.room + cap.e - cap.s;
     self->sums.up[0] = nck_num_max(self->sums.up[0], nck_num_max(-de / cap.e, -ds / cap.s));
-    self->step_excess[k + 1] = de;
-    self->step_slack[k + 1] = ds;
+    self->work->step_excess[k + 1] = de;
+    self->work->step_slack[k + 1] = ds;
     renew_soft_cap(self, k, dz);
 }
 

@@ -156,12 +156,12 @@ static void scatter_node_matrix(nck_motion_t *self, int first, const nck_motion_
         next[k] = to_here - skew;
         here[k] = NCK_NUM_OF(4) * aa - NCK_NUM_OF(24) * ac + NCK_NUM_OF(36) * cc;
     }
-    add(&self->h0[first], before);
-    add(&self->h1[first], cross);
-    add(&self->h2[first], far);
-    add(&self->h0[first + 1], here);
-    add(&self->h1[first + 1], next);
-    add(&self->h0[first + 2], behind);
+    add(&self->work->h0[first], before);
+    add(&self->work->h1[first], cross);
+    add(&self->work->h2[first], far);
+    add(&self->work->h0[first + 1], here);
+    add(&self->work->h1[first + 1], next);
+    add(&self->work->h0[first + 2], behind);
 }
 
 // The same of a gradient over α, β, γ.
@@ -206,15 +206,15 @@ static void scatter_middle_matrix(nck_motion_t *self, int first, const nck_motio
         next1[k] = zb + zc - two * zz;
         last0[k] = zz;
     }
-    add(&self->h0[first], far0);
-    add(&self->h1[first], far1);
-    add(&self->h2[first], far2);
-    add(&self->h0[first + 1], here0);
-    add(&self->h1[first + 1], here1);
-    add(&self->h2[first + 1], here2);
-    add(&self->h0[first + 2], next0);
-    add(&self->h1[first + 2], next1);
-    add(&self->h0[first + 3], last0);
+    add(&self->work->h0[first], far0);
+    add(&self->work->h1[first], far1);
+    add(&self->work->h2[first], far2);
+    add(&self->work->h0[first + 1], here0);
+    add(&self->work->h1[first + 1], here1);
+    add(&self->work->h2[first + 1], here2);
+    add(&self->work->h0[first + 2], next0);
+    add(&self->work->h1[first + 2], next1);
+    add(&self->work->h0[first + 3], last0);
 }
 
 // The gradient of a middle.
@@ -236,9 +236,9 @@ void nck_motion_scatter(nck_motion_t *self, int chunk, int kind,
     const int first = chunk * NCK_MOTION_LANES; // node −1 of the chunk's line
     if (kind == 0) {
         scatter_node_matrix(self, first, system);
-        scatter_node_gradient(&self->g[first + 1], &system->force);
+        scatter_node_gradient(&self->work->g[first + 1], &system->force);
         return;
     }
     scatter_middle_matrix(self, first, system);
-    scatter_middle_gradient(&self->g[first + 1], &system->force);
+    scatter_middle_gradient(&self->work->g[first + 1], &system->force);
 }

@@ -208,7 +208,7 @@ static void direct_axis(nck_num *restrict z, nck_motion_sums_t *restrict sums,
 
 // A rough motion has rows in the middles alone.
 static int first_kind(const nck_motion_t *self) {
-    return (self->wish.ends & NCK_MOTION_ROUGH) != 0;
+    return (self->wish.ends & NCK_MOTION_COARSE) != 0;
 }
 
 void nck_motion_seed(nck_motion_t *self, int chunk) {
@@ -220,7 +220,7 @@ void nck_motion_seed(nck_motion_t *self, int chunk) {
             const int axis = self->axis[n];
             const same_t same = same_of(self, axis);
             nck_motion_path(self, chunk, axis, kind, &path);
-            seed_axis(self->z[chunk][axis][kind], &place, &path, &same);
+            seed_axis(self->work->z[chunk][axis][kind], &place, &path, &same);
         }
     }
 }
@@ -236,7 +236,8 @@ void nck_motion_assemble(nck_motion_t *self, int chunk) {
             const int axis = self->axis[n];
             const same_t same = same_of(self, axis);
             nck_motion_path(self, chunk, axis, kind, &path);
-            assemble_axis(&system, &self->sums, self->z[chunk][axis][kind], &place, &path, &same);
+            assemble_axis(&system, &self->sums, self->work->z[chunk][axis][kind], &place, &path,
+                          &same);
         }
         nck_motion_scatter(self, chunk, kind, &system);
     }
@@ -250,12 +251,12 @@ void nck_motion_direct(nck_motion_t *self, int chunk) {
     memcpy(&sums, &self->sums, sizeof sums);
     for (int kind = first_kind(self); kind < NCK_MOTION_PLACES; kind++) {
         nck_motion_place(self, chunk, kind, &place);
-        nck_motion_shape(&self->step_b[chunk * NCK_MOTION_LANES + 1], kind, &step);
+        nck_motion_shape(&self->work->step_b[chunk * NCK_MOTION_LANES + 1], kind, &step);
         for (int n = 0; n < self->limited; n++) {
             const int axis = self->axis[n];
             const same_t same = same_of(self, axis);
             nck_motion_path(self, chunk, axis, kind, &path);
-            direct_axis(self->z[chunk][axis][kind], &sums, &place, &step, &path, &same);
+            direct_axis(self->work->z[chunk][axis][kind], &sums, &place, &step, &path, &same);
         }
     }
     memcpy(&self->sums, &sums, sizeof sums);

@@ -153,13 +153,15 @@ static void take_piece(nck_clocked_t *self, nck_seg_t *seg) {
 // A rest of no time, before the run begins.
 static void rest_first(nck_clocked_t *self, nck_seg_t *seg) {
     const nck_track_element_t *const first = nck_track_at(&self->stream.track, 0);
+    nck_track_words_t words;
+    nck_track_words(&self->stream.track, 0, 0.0, self->position[NCK_AXIS_X], &words);
     memset(seg, 0, sizeof *seg);
     seg->kind = NCK_SEG_DWELL;
     seg->stop = 1;
     seg->line = first->line[0];
-    seg->block = first->block[0];
+    seg->block = first->block;
     seg->feed_scale = 1.0;
-    seg->spin = first->words.spin;
+    seg->spin = words.spin;
     memcpy(seg->start, self->position, sizeof seg->start);
     memcpy(seg->end, self->position, sizeof seg->end);
     self->rests = 0;

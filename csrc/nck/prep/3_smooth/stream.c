@@ -334,10 +334,10 @@ static nck_status_t begin_motion(nck_stream_t *self) {
     wish.ends = (self->clock.ends ? NCK_MOTION_FREE_END : NCK_MOTION_OPEN_END)
                | (self->clock.begins ? 0U : NCK_MOTION_INSIDE);
     wish.most = self->wish.most;
-    wish.ends |= NCK_MOTION_ROUGH;
+    wish.ends |= NCK_MOTION_COARSE;
     wish.gap = PLAN_GAP;
     wish.room = PLAN_ROOM;
-    return nck_motion_begin(&self->work.motion, &wish);
+    return nck_motion_begin(&self->work.plan.motion, &self->work.plan.work, &wish);
 }
 
 // One node: r′ and r″ over the clock, and the cap of b by feed and axis speeds.
@@ -365,7 +365,7 @@ static void set_node(nck_stream_t *self, int k) {
     const double pace = (self->told.plans > 0 ? NEAR : FRESH)
                         * nck_timing_pace(&self->clock, &self->track, &self->near, k);
     const nck_num cap_and_b[2] = {(nck_num)(1.0 / least), (nck_num)pace};
-    nck_motion_node(&self->work.motion, k, p1, p2, cap_and_b);
+    nck_motion_node(&self->work.plan.motion, k, p1, p2, cap_and_b);
 }
 
 static nck_status_t set_nodes(nck_stream_t *self) {
@@ -399,13 +399,13 @@ static int is_steady(const nck_stream_t *self) {
 }
 
 static nck_status_t make_motion(nck_stream_t *self) {
-    if (nck_motion_step(&self->work.motion) == NCK_OK) return NCK_OK;
+    if (nck_motion_step(&self->work.plan.motion) == NCK_OK) return NCK_OK;
     nck_motion_told_t told;
-    nck_motion_told(&self->work.motion, &told);
+    nck_motion_told(&self->work.plan.motion, &told);
     self->told.plans += (uint32_t)told.iterations;
     int good = 1;
     for (int k = 0; k <= self->clock.knots; k++) {
-        self->b[k] = nck_motion_b(&self->work.motion, k);
+        self->b[k] = nck_motion_b(&self->work.plan.motion, k);
         good = good && self->b[k] >= 0 && self->b[k] < (nck_num)1e9;
     }
     for (int k = 0; k <= self->clock.knots && !good; k++) self->b[k] = (nck_num)NEAR;
@@ -479,7 +479,7 @@ void nck_stream_take(nck_stream_t *self, nck_stream_piece_t *piece_out) {
     self->near = nck_track_find(&self->track, self->near, piece_out->s[0]);
     const nck_track_element_t *const element = nck_track_at(&self->track, self->near);
     memcpy(piece_out->line, element->line, sizeof piece_out->line);
-    piece_out->block = element->block[0];
+    piece_out->block = element->block;
     const double x = 0.5 * (self->point[i + 1][NCK_AXIS_X] + self->point[i + 2][NCK_AXIS_X]);
     nck_track_words(&self->track, self->near, piece_out->s[1], x, &piece_out->words);
     const int begins = self->clock.begins && i == 0;

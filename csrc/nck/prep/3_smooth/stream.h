@@ -86,7 +86,10 @@ typedef struct nck_stream {
     union {
         nck_timing_list_t list;
         nck_fair_t fair;
-        nck_motion_t motion;
+        struct {
+            nck_motion_t motion;
+            nck_motion_work_t work;
+        } plan;
     } work;
 } nck_stream_t;
 

@@ -157,7 +157,7 @@ static double next_place(nck_timing_t *self, double end) {
 static nck_num speed_of(nck_timing_t *self, const nck_track_t *track, sight_t *sight,
                        const nck_track_element_t *element) {
     const double s = sight->middle.s;
-    const nck_num reach = (nck_num)reach_of(self) * (nck_num)element->words.feed;
+    const nck_num reach = (nck_num)reach_of(self) * (nck_num)element->feed;
     const nck_num around = look_around(self, track, sight, reach);
     const nck_num feed = (nck_num)nck_track_feed(track, sight->middle.count, s);
     const nck_num v = nck_timing_near_rest(self->terms, s, nck_num_min(around, feed));
@@ -206,7 +206,7 @@ nck_status_t nck_timing_look(nck_timing_t *self, const nck_track_t *track) {
     uint32_t *const near = &self->guess.near[2 * NCK_TIMING_RUNGS];
     *near = nck_track_find(track, *near, s);
     const nck_track_element_t *const element = nck_track_at(track, *near);
-    if (!self->closed && s + reach_of(self) * element->words.feed > sight.known) {
+    if (!self->closed && s + reach_of(self) * element->feed > sight.known) {
         if (!nck_track_is_full(track) && !self->hurries) return NCK_EMPTY;
         self->brakes = self->guess.head - self->guess.tail < NCK_FAIR_WINDOW;
         if (s > sight.known) return NCK_DONE;
@@ -226,7 +226,7 @@ int nck_timing_hurry(nck_timing_t *self) {
 
 double nck_timing_reach(const nck_timing_t *self, const nck_track_t *track) {
     const uint32_t near = nck_track_find(track, track->tail, self->s[0]);
-    return reach_of(self) * nck_track_at(track, near)->words.feed;
+    return reach_of(self) * nck_track_at(track, near)->feed;
 }
 
 void nck_timing_drop(nck_timing_t *self, double s) {

@@ -22,6 +22,8 @@ void nck_track_begin(nck_track_t *self, int axes, double knot_s, double spin_a) 
     self->head = 0;
     self->tail = 0;
     self->grows = 0;
+    self->words.head = 0;
+    self->words.lacks = 0;
 }
 
 static nck_track_element_t *newest(nck_track_t *self) {
@@ -56,25 +58,62 @@ static int level_of(const nck_track_t *self, const nck_track_element_t *line, co
     return level;
 }
 
-static void set_words(nck_track_words_t *words, const nck_seg_t *seg) {
-    memset(words, 0, sizeof *words);
-    words->feed = seg->feed;
-    words->feed_scale = seg->feed_scale;
-    words->spin = seg->spin;
-    words->rapid = seg->rapid;
+// The set of words with this number.
+static const nck_track_shared_t *shared_at(const nck_track_t *self, uint32_t number) {
+    return &self->words.at[number & (NCK_TRACK_WORDS - 1)];
 }
 
-// 1 if a seg has these words.
-static int is_same(const nck_track_words_t *words, const nck_seg_t *seg) {
-    const nck_spin_t *const spin = &words->spin;
-    const int turns = spin->speed == seg->spin.speed && spin->most == seg->spin.most
-                      && spin->x == seg->spin.x && spin->per_rev == seg->spin.per_rev;
-    return turns && words->feed == seg->feed && words->feed_scale == seg->feed_scale
-           && words->rapid == seg->rapid;
+// 1 if the newest set of words is a seg's.
+static int is_shared(const nck_track_t *self, const nck_seg_t *seg) {
+    const nck_track_shared_t *const words = shared_at(self, self->words.head - 1);
+    const nck_spin_t *const spin = &seg->spin;
+    return self->words.head > 0 && words->most == spin->most && words->x == spin->x
+           && words->per_rev == spin->per_rev && words->feed_scale == seg->feed_scale;
+}
+
+// 1 if the newest line's words are a seg's.
+static int is_same(const nck_track_t *self, const nck_track_element_t *line,
+                   const nck_seg_t *seg) {
+    return line->feed == seg->feed && line->speed == seg->spin.speed
+           && line->rapid == seg->rapid && is_shared(self, seg);
+}
+
+// Take a seg's words. Returns 0: there is no room for them.
+static int take_words(nck_track_t *self, const nck_seg_t *seg) {
+    if (is_shared(self, seg)) return 1;
+    const uint16_t oldest = nck_track_at(self, self->tail)->words;
+    const uint32_t used = self->head == self->tail ? 0 : (uint16_t)(self->words.head - oldest);
+    self->words.lacks = used == NCK_TRACK_WORDS;
+    if (self->words.lacks) return 0;
+    const nck_track_shared_t words = {seg->feed_scale, seg->spin.most, seg->spin.x,
+                                      seg->spin.per_rev};
+    self->words.at[self->words.head & (NCK_TRACK_WORDS - 1)] = words;
+    self->words.head++;
+    return 1;
+}
+
+static void words_of(const nck_track_t *self, uint32_t count, nck_track_words_t *words_out) {
+    const nck_track_element_t *const element = nck_track_at(self, count);
+    const nck_track_shared_t *const shared = shared_at(self, element->words);
+    memset(words_out, 0, sizeof *words_out);
+    words_out->feed = element->feed;
+    words_out->feed_scale = shared->feed_scale;
+    words_out->spin.speed = element->speed;
+    words_out->spin.most = shared->most;
+    words_out->spin.x = shared->x;
+    words_out->spin.per_rev = shared->per_rev;
+    words_out->rapid = element->rapid;
 }
 
 static void set_way(const nck_track_t *self, nck_track_element_t *line, const double *end) {
     for (int x = 0; x < self->axes; x++) line->shape.way[x] = (nck_num)(end[x] - line->start[x]);
+}
+
+static void set_arc(nck_track_element_t *element, const nck_seg_arc_t *arc) {
+    const nck_track_arc_t as_kept = {arc->centre_u, arc->centre_v, arc->sweep};
+    element->shape.arc = as_kept;
+    element->axes[0] = arc->axis_u;
+    element->axes[1] = arc->axis_v;
 }
 
 // Join the line to the newest element. Returns 1, or 0: it cannot be.
@@ -82,7 +121,7 @@ static int join(nck_track_t *self, const nck_seg_t *seg, double tolerance) {
     nck_track_element_t *const line = newest(self);
     const double length = line->length + seg->length;
     if (seg->kind != NCK_SEG_LINE || seg->rapid || self->join.tolerance != tolerance
-        || !is_same(&line->words, seg) || length > SPAN * self->knot_s * seg->feed) {
+        || !is_same(self, line, seg) || length > SPAN * self->knot_s * seg->feed) {
         return 0;
     }
     narrow(self, line);
@@ -93,7 +132,6 @@ static int join(nck_track_t *self, const nck_seg_t *seg, double tolerance) {
     set_way(self, line, seg->end);
     line->tolerance = (float)((1.0 - costs[level]) * tolerance);
     line->line[1] = seg->line;
-    line->block[1] = seg->block;
     memcpy(self->end, seg->end, sizeof self->end);
     return 1;
 }
@@ -111,7 +149,7 @@ static void begin_join(nck_track_t *self, double tolerance) {
 
 nck_status_t nck_track_push(nck_track_t *self, const nck_seg_t *seg, double tolerance) {
     if (self->grows && join(self, seg, tolerance)) return NCK_OK;
-    if (nck_track_is_full(self)) return NCK_FULL;
+    if (self->head - self->tail == NCK_TRACK_SPAN || !take_words(self, seg)) return NCK_FULL;
     const double s = self->head > 0 ? newest(self)->s + newest(self)->length : 0.0;
     self->head++;
     nck_track_element_t *const element = newest(self);
@@ -119,15 +157,17 @@ nck_status_t nck_track_push(nck_track_t *self, const nck_seg_t *seg, double tole
     element->s = s;
     element->length = seg->length;
     memcpy(element->start, seg->start, sizeof element->start);
-    set_words(&element->words, seg);
+    element->feed = seg->feed;
+    element->speed = seg->spin.speed;
+    element->rapid = seg->rapid;
+    element->words = (uint16_t)(self->words.head - 1);
     element->kind = seg->kind;
-    if (seg->kind == NCK_SEG_ARC) element->shape.arc = seg->shape.arc;
+    if (seg->kind == NCK_SEG_ARC) set_arc(element, &seg->shape.arc);
     else set_way(self, element, seg->end);
     element->tolerance = (float)tolerance;
     element->line[0] = seg->line;
     element->line[1] = seg->line;
-    element->block[0] = seg->block;
-    element->block[1] = seg->block;
+    element->block = seg->block;
     memcpy(self->end, seg->end, sizeof self->end);
     self->grows = seg->kind == NCK_SEG_LINE && !seg->rapid;
     begin_join(self, tolerance);
@@ -167,7 +207,13 @@ void nck_track_seg(const nck_track_t *self, uint32_t count, nck_seg_t *seg_out) 
     seg_out->length = element->length;
     memcpy(seg_out->start, element->start, sizeof seg_out->start);
     memcpy(seg_out->end, nck_track_end(self, count), sizeof seg_out->end);
-    if (element->kind == NCK_SEG_ARC) seg_out->shape.arc = element->shape.arc;
+    if (element->kind != NCK_SEG_ARC) return;
+    nck_seg_arc_t *const arc = &seg_out->shape.arc;
+    arc->centre_u = element->shape.arc.centre_u;
+    arc->centre_v = element->shape.arc.centre_v;
+    arc->sweep = element->shape.arc.sweep;
+    arc->axis_u = element->axes[0];
+    arc->axis_v = element->axes[1];
 }
 
 // The point of an arc at f mm from its start; beyond it straight on.
@@ -256,8 +302,8 @@ typedef struct turning {
     double slant; // |dr/ds|
 } turning_t;
 
-static void find_turning(const nck_track_t *self, uint32_t count, double s, turning_t *out) {
-    const nck_spin_t *const spin = &nck_track_at(self, count)->words.spin;
+static void find_turning(const nck_track_t *self, uint32_t count, const nck_spin_t *spin, double s,
+                         turning_t *out) {
     double point[NCK_AXIS_MAX];
     nck_num tangent[NCK_AXIS_MAX];
     nck_track_point(self, count, s, point);
@@ -269,46 +315,58 @@ static void find_turning(const nck_track_t *self, uint32_t count, double s, turn
 }
 
 double nck_track_feed(const nck_track_t *self, uint32_t count, double s) {
-    const nck_track_words_t *const words = &nck_track_at(self, count)->words;
-    const nck_spin_t *const spin = &words->spin;
-    if (!NCK_HAS_LATHE || !(spin->most > 0.0)) return words->feed;
+    const nck_track_element_t *const element = nck_track_at(self, count);
+    nck_track_words_t words;
     turning_t there;
-    find_turning(self, count, s, &there);
-    const double feed = nck_spin_feed(spin, words->feed, there.x);
-    const double most = nck_spin_follow(spin, there.r, self->spin_a);
+    if (!NCK_HAS_LATHE || !(shared_at(self, element->words)->most > 0.0)) return element->feed;
+    words_of(self, count, &words);
+    find_turning(self, count, &words.spin, s, &there);
+    const double feed = nck_spin_feed(&words.spin, words.feed, there.x);
+    const double most = nck_spin_follow(&words.spin, there.r, self->spin_a);
     const int follows = self->spin_a > 0.0 && there.r > there.flat;
     return follows && there.slant * feed > most ? most / there.slant : feed;
 }
 
 double nck_track_even(const nck_track_t *self, uint32_t count, double s) {
-    const nck_spin_t *const spin = &nck_track_at(self, count)->words.spin;
-    turning_t there = {0.0, 0.0, 0.0, 0.0};
-    if (!NCK_HAS_LATHE || !(spin->per_rev > 0.0)) return EVEN;
-    find_turning(self, count, s, &there);
+    const nck_track_element_t *const element = nck_track_at(self, count);
+    nck_track_words_t words;
+    turning_t there;
+    if (!NCK_HAS_LATHE || !(shared_at(self, element->words)->per_rev > 0.0)) return EVEN;
+    words_of(self, count, &words);
+    find_turning(self, count, &words.spin, s, &there);
     const double inside = nck_max(0.0, there.flat - there.r);
     return there.slant > 0.0 ? (there.r + (1.0 + EVENS) * inside) / there.slant : EVEN;
 }
 
 void nck_track_words(const nck_track_t *self, uint32_t count, double s, double x,
                      nck_track_words_t *words_out) {
-    *words_out = nck_track_at(self, count)->words;
+    words_of(self, count, words_out);
     words_out->feed = nck_spin_feed(&words_out->spin, words_out->feed, x);
     for (uint32_t n = count + 1; n != self->head; n++) {
-        const nck_track_element_t *const element = nck_track_at(self, n);
-        if (!(element->s < s)) return;
-        const double feed = nck_spin_feed(&element->words.spin, element->words.feed, x);
+        nck_track_words_t words;
+        if (!(nck_track_at(self, n)->s < s)) return;
+        words_of(self, n, &words);
+        const double feed = nck_spin_feed(&words.spin, words.feed, x);
         if (!(feed < words_out->feed)) continue;
         words_out->feed = feed;
-        words_out->feed_scale = element->words.feed_scale;
-        words_out->rapid = element->words.rapid;
+        words_out->feed_scale = words.feed_scale;
+        words_out->rapid = words.rapid;
     }
+}
+
+// 1 if what stands before an element takes more than a quarter of a ring.
+static int is_much(const nck_track_t *self, uint32_t last) {
+    const uint16_t oldest = nck_track_at(self, self->tail)->words;
+    const uint16_t newest_words = nck_track_at(self, last)->words;
+    return last - self->tail > NCK_TRACK_SPAN / 4
+           || (uint16_t)(newest_words - oldest) > NCK_TRACK_WORDS / 4;
 }
 
 void nck_track_drop(nck_track_t *self, double s, double back) {
     const uint32_t last = nck_track_find(self, self->tail, s);
+    self->words.lacks = 0;
     while (self->tail != last
-           && (nck_track_at(self, self->tail + 1)->s <= s - back
-               || last - self->tail > NCK_TRACK_SPAN / 4)) {
+           && (nck_track_at(self, self->tail + 1)->s <= s - back || is_much(self, last))) {
         self->tail++;
     }
 }

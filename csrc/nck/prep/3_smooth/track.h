@@ -14,6 +14,7 @@
 // Sizes.
 enum {
     NCK_TRACK_SPAN = NCK_CLOCKED_TRACK, // elements
+    NCK_TRACK_WORDS = NCK_CLOCKED_WORDS, // sets of words that change seldom, shared by elements
     NCK_TRACK_LEVELS = 4 // of what joining lines may cost
 };
 
@@ -26,20 +27,35 @@ typedef struct nck_track_words {
     uint8_t reserved[7]; // 0
 } nck_track_words_t;
 
+// What of them changes seldom.
+typedef struct nck_track_shared {
+    double feed_scale;
+    double most, x, per_rev; // as in nck_spin_t
+} nck_track_shared_t;
+
+// An arc, its plane's axes apart.
+typedef struct nck_track_arc {
+    double centre_u, centre_v, sweep; // as in nck_seg_arc_t
+} nck_track_arc_t;
+
 // An element.
 typedef struct nck_track_element {
     double s;         // where it begins in its run [path mm]
     double length;    // [path mm]
     double start[NCK_AXIS_MAX]; // [mm, deg]
-    nck_track_words_t words;
+    double feed;      // of its words
+    double speed;     // of their spindle, as in nck_spin_t
     union {
         nck_num way[NCK_AXIS_MAX]; // of a line: from start to end
-        nck_seg_arc_t arc;         // of an arc
+        nck_track_arc_t arc;       // of an arc
     } shape;
     float tolerance;  // what joining has left of P [mm]
     uint32_t line[2]; // first and last source line
-    uint32_t block[2]; // first and last block
+    uint32_t block;   // the first block
+    uint16_t words;   // number of the set that it shares
     uint8_t kind;     // NCK_SEG_LINE or NCK_SEG_ARC
+    uint8_t rapid;    // 1: G0
+    uint8_t axes[2];  // of an arc's plane
 } nck_track_element_t;
 
 // The path: elements tail … head − 1 of a ring.
@@ -56,6 +72,11 @@ typedef struct nck_track {
         double low[NCK_TRACK_LEVELS][NCK_AXIS_MAX]; // what its slope may be at every level
         double high[NCK_TRACK_LEVELS][NCK_AXIS_MAX];
     } join;
+    struct {
+        uint32_t head; // sets begun
+        uint8_t lacks; // 1: another one had no room
+        nck_track_shared_t at[NCK_TRACK_WORDS];
+    } words;
     nck_track_element_t at[NCK_TRACK_SPAN];
 } nck_track_t;
 
@@ -74,9 +95,9 @@ void nck_track_seal(nck_track_t *self);
 // The run is known up to here [path mm]. Cost: constant. Context: prep.
 double nck_track_known(const nck_track_t *self);
 
-// 1 if the ring has no room for another element. Cost: constant. Context: prep.
+// 1 if there is no room for another element, or for its words. Cost: constant. Context: prep.
 static inline int nck_track_is_full(const nck_track_t *self) {
-    return self->head - self->tail == NCK_TRACK_SPAN;
+    return self->head - self->tail == NCK_TRACK_SPAN || self->words.lacks;
 }
 
 // The element with this count. Cost: constant. Context: prep.

@@ -77,8 +77,8 @@ void nck_lookahead_end(nck_lookahead_t *self) {
 
 nck_status_t nck_lookahead_take(nck_lookahead_t *self, const nck_node_t *piece) {
     if (self->ended) return NCK_E_STATE;
-    if (self->window.fill == NCK_WINDOW) return NCK_FULL;
-    self->window.at[(self->window.head + self->window.fill) & (NCK_WINDOW - 1)] = *piece;
+    if (self->window.fill == NCK_NODE_MAX) return NCK_FULL;
+    self->window.at[(self->window.head + self->window.fill) & (NCK_NODE_MAX - 1)] = *piece;
     self->window.fill++;
     if (piece->kind == NCK_SEG_WAIT) self->window.barrier = self->window.fill;
     return NCK_OK;
@@ -140,7 +140,7 @@ nck_status_t nck_lookahead_step(nck_lookahead_t *self) {
 
 const nck_node_t *nck_lookahead_ahead(const nck_lookahead_t *self, uint32_t i) {
     if (i >= self->window.fill) return (const nck_node_t *)0;
-    return &self->window.at[(self->window.head + i) & (NCK_WINDOW - 1)];
+    return &self->window.at[(self->window.head + i) & (NCK_NODE_MAX - 1)];
 }
 
 uint32_t nck_lookahead_oldest(const nck_lookahead_t *self, uint32_t newer) {
@@ -161,7 +161,7 @@ void nck_lookahead_drop(nck_lookahead_t *self, uint32_t n) {
 
 int nck_lookahead_invariants(const nck_lookahead_t *self) {
     const uint32_t fill = self->window.fill, head = self->junction.head;
-    int good = fill <= NCK_WINDOW && self->window.barrier <= fill
+    int good = fill <= NCK_NODE_MAX && self->window.barrier <= fill
                && head - self->junction.decided <= head - self->junction.placed
                && head - self->junction.settled <= head - self->junction.decided
                && head - self->junction.placed <= NCK_JUNCTION_MAX - NCK_CORNER_SPAN;

@@ -5,7 +5,7 @@
 #ifndef NCK_PREP_LOOKAHEAD_H
 #define NCK_PREP_LOOKAHEAD_H
 
-#include "nck/base/limits.h"  // NCK_WINDOW NCK_CORNER_SPAN …
+#include "nck/base/limits.h"  // NCK_NODE_MAX NCK_CORNER_SPAN …
 #include "nck/base/records.h" // nck_seg_t nck_node_t
 #include "nck/base/status.h"  // nck_status_t
 #include "nck/base/terms.h"   // nck_terms_t
@@ -136,12 +136,12 @@ typedef struct nck_lookahead {
         double vv_over;   // cap by everything but the feed, v²
     } before;
 
-    // window of nodes, counted from the start; slot = count mod NCK_WINDOW
+    // window of nodes, counted from the start; slot = count mod NCK_NODE_MAX
     struct {
         uint32_t head;    // oldest node
         uint32_t fill;    // nodes in the window
         uint32_t barrier; // pieces from head on up to and with the newest WAIT; 0: none
-        nck_node_t at[NCK_WINDOW];
+        nck_node_t at[NCK_NODE_MAX];
     } window;
 } nck_lookahead_t;
 
@@ -193,7 +193,7 @@ static inline int nck_lookahead_may_settle(const nck_lookahead_t *self) {
 // 1 if a step would do nothing but say NCK_FULL, till pieces are dropped. Cost: constant.
 // Context: prep.
 static inline int nck_lookahead_is_full(const nck_lookahead_t *self) {
-    return self->window.fill > NCK_WINDOW - NCK_PIECES_PER_SEG;
+    return self->window.fill > NCK_NODE_MAX - NCK_PIECES_PER_SEG;
 }
 
 // 1 if a step, while there is room, would do nothing but say NCK_EMPTY, till another seg comes.

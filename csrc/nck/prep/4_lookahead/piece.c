@@ -17,8 +17,8 @@
 #define FLOAT_ROUNDING 1e-6
 
 static nck_node_t *node_at(nck_lookahead_t *self, uint32_t i) {
-    assert(i < NCK_WINDOW);
-    return self->window.at + ((self->window.head + i) & (NCK_WINDOW - 1));
+    assert(i < NCK_NODE_MAX);
+    return self->window.at + ((self->window.head + i) & (NCK_NODE_MAX - 1));
 }
 
 // What the neighbourhood leaves to a piece, by pace.

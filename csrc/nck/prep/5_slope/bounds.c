@@ -211,7 +211,7 @@ static double accel_at(const nck_jerk_t *self, const nck_pieces_t *pieces, size_
 
 // From the rest at the ladder's end backward: v² that no plan is above.
 static void look_back(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    double *const most = nck_link_spare(self->link)->number[1];
+    double *const most = nck_link_spare(self->link)->ladder.number[1];
     const uint32_t n = self->work.n;
     size_t left = n - self->work.i;
     double w = self->work.i > 0 ? most[left] : 0.0;
@@ -245,7 +245,7 @@ static void relax_cell(nck_jerk_t *self, const nck_pieces_t *pieces, size_t i, d
 
 // From the ladder's begin on, where it looks only.
 static nck_status_t look_forth(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    const double *const most = nck_link_spare(self->link)->number[1];
+    const double *const most = nck_link_spare(self->link)->ladder.number[1];
     const uint32_t n = self->work.n;
     size_t i = self->work.i;
     double w = self->work.w_cell;

@@ -289,7 +289,7 @@ static double share_about(const nck_jerk_t *self, uint32_t i) {
 }
 
 nck_status_t nck_brake_ease(nck_jerk_t *self) {
-    double *const most = nck_link_spare(self->link)->number[0];
+    double *const most = nck_link_spare(self->link)->ladder.number[0];
     const uint32_t known = known_cells(self);
     for (int n = 0; n < NCK_JERK_STEP; n++) {
         if (self->work.i + 1 >= known) return NCK_DONE;
@@ -352,7 +352,7 @@ static void turn_up(nck_jerk_t *self, uint32_t i, double vv) {
 
 nck_status_t nck_brake_raise(nck_jerk_t *self) {
     nck_profile_t *const state = &self->profile;
-    const double *const eased = nck_link_spare(self->link)->number[0];
+    const double *const eased = nck_link_spare(self->link)->ladder.number[0];
     const double q_cap = nck_window_q_cap(self);
     if (self->work.i == 0) {
         nck_brake_begin(state, q_cap);

@@ -279,13 +279,13 @@ static uint32_t worth_the_best(const nck_jerk_t *self) {
 static void finish_relax(nck_jerk_t *self) {
     nck_profile_t *const p = &self->profile;
     nck_link_spare_t *const spare = nck_link_spare(self->link);
-    p->s = spare->number[0];
-    p->up = spare->number[1];
-    p->down = spare->number[2];
-    p->e = spare->number[3];
-    p->z = spare->number[4];
-    p->j = spare->number[5];
-    p->stack = spare->index;
+    p->s = spare->ladder.number[0];
+    p->up = spare->ladder.number[1];
+    p->down = spare->ladder.number[2];
+    p->e = spare->ladder.number[3];
+    p->z = spare->ladder.number[4];
+    p->j = spare->ladder.number[5];
+    p->stack = spare->ladder.index;
     p->n = self->work.n;
     p->q_cap = nck_window_q_cap(self);
     p->count = worth_the_best(self);

@@ -154,7 +154,8 @@ static nck_status_t set_wish(nck_optimal_t *self) {
         asked.most = ITERATIONS_SLOWED;
     }
     nck_optimal_set_limits(self, &asked);
-    return nck_motion_begin(&self->motion, &asked);
+    return nck_motion_begin(&self->motion, NCK_OPTIMAL_AT(nck_link_spare(self->link), motion),
+                            &asked);
 }
 
 // The last plan brakes for its own rest: NCK_FULL, a brake has nothing to add.

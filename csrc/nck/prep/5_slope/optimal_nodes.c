@@ -129,15 +129,17 @@ enum {
     MIDDLE = 2      // of an interval's places
 };
 
+// Of the pieces of the plan's window: whether more of the path is known hangs on time.
 static void look_around(nck_optimal_t *self, const nck_pieces_t *pieces, uint32_t number,
                         nearby_t *around_out) {
+    const nck_optimal_pace_t *const work = nck_optimal_work(self);
     around_out->vv = PACE_MOST * PACE_MOST;
     around_out->pace = PACE_MOST;
     for (uint32_t n = 0; n < NCK_OPTIMAL_LOOKS; n++) {
         const uint32_t at = number + n - NEAR_NODE;
         const nck_node_t *const piece = nck_plan_piece(pieces, at);
         around_out->along[n] = (const nck_num *)0;
-        if (!piece || !(piece->length > 0.0)) continue;
+        if (at - work->first >= work->n || !piece || !(piece->length > 0.0)) continue;
         const nck_seg_t *const seg = nck_link_seg(self->link, piece->seg);
         if (seg->keeps != NCK_KEEP_CLOCK) continue;
         around_out->along[n] = look_along(self, piece, at);

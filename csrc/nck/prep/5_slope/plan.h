@@ -12,7 +12,7 @@
 
 // Room 4's window of pieces as this room sees it. Pieces have running numbers.
 typedef struct nck_pieces {
-    nck_node_t *at;       // ring of NCK_WINDOW; the linear slope writes the envelope into it
+    nck_node_t *at;       // ring of NCK_NODE_MAX; the linear slope writes the envelope into it
     uint32_t head;        // number of the oldest
     uint32_t fill;        // pieces in the window
     uint32_t barrier;     // pieces from the oldest on up to and with the newest WAIT; 0: none
@@ -86,12 +86,12 @@ typedef struct nck_job {
 // Room 4's piece of a running number that is there; else it must not be asked for anything.
 // Cost: constant.
 static inline nck_node_t *nck_plan_there(const nck_pieces_t *pieces, uint32_t number) {
-    return &pieces->at[number & (NCK_WINDOW - 1)];
+    return &pieces->at[number & (NCK_NODE_MAX - 1)];
 }
 
 // The place in the ring behind a piece's. Cost: constant.
 static inline nck_node_t *nck_plan_behind(const nck_pieces_t *pieces, nck_node_t *piece) {
-    return piece + 1 == &pieces->at[NCK_WINDOW] ? pieces->at : piece + 1;
+    return piece + 1 == &pieces->at[NCK_NODE_MAX] ? pieces->at : piece + 1;
 }
 
 // Room 4's piece of a running number; NULL if it is not there (yet). Cost: constant.

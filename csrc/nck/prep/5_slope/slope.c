@@ -30,6 +30,8 @@ enum { PHASE_IDLE = 0, PHASE_MAKE, PHASE_INSTALL };
 enum { NO_BRAKE = 4 };
 // The same by optimisation: some three intervals, so that the window has most of its way left.
 enum { NO_MOTION = 8 };
+// Pieces before its first one that an optimal plan looks at.
+enum { LOOKS = 2 };
 
 void nck_slope_init(nck_slope_t *self, const nck_terms_t *terms, nck_link_t *link) {
     const nck_machine_t *const machine = terms->machine;
@@ -406,7 +408,7 @@ static void note_idle(nck_slope_t *self, const nck_pieces_t *pieces, nck_status_
     self->idle.barrier = nck_slope_barrier(pieces);
     self->idle.complete = pieces->complete;
     self->idle.wants = self->phase == PHASE_MAKE && lacks > 0 ? self->next.wants : end + 1;
-    if (self->phase == PHASE_INSTALL) self->idle.wants = pieces->head + NCK_WINDOW + 1;
+    if (self->phase == PHASE_INSTALL) self->idle.wants = pieces->head + NCK_NODE_MAX + 1;
 }
 
 // What the plan in work says, and what it lacks if it cannot go on.
@@ -477,11 +479,14 @@ int nck_slope_hurry(nck_slope_t *self, uint32_t periods) {
 }
 
 // A jerk-limited plan looks at pieces of the plan of now that the tick has passed, whether or not
-// it has: setpoints must not hang on time.
+// it has: setpoints must not hang on time. An optimal one looks at the two before its own.
 uint32_t nck_slope_needs(const nck_slope_t *self) {
     const uint32_t kind = nck_planner_kind(self);
-    const int looks_back = kind == NCK_SLOPE_JERK || kind == NCK_SLOPE_OPTIMAL;
-    return looks_back && final_count(self) < self->now.n ? self->now.first_piece : self->now.piece;
+    const uint32_t passed = self->now.piece - self->now.first_piece;
+    const uint32_t back = kind == NCK_SLOPE_LINEAR                       ? 0
+                          : kind == NCK_SLOPE_OPTIMAL && passed > LOOKS ? LOOKS
+                                                                         : passed;
+    return final_count(self) < self->now.n ? self->now.piece - back : self->now.piece;
 }
 
 int nck_slope_is_held(const nck_slope_t *self) {
