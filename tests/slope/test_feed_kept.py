@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The feed that was programmed, under the default slope: a line has it but for its ramps, and no
-curve is faster. Outside of pytest N of both: ``python tests/slope/test_feed_kept.py N [first]``."""
+curve is faster. Outside of pytest N of both:
+``PYTHONPATH=tests python tests/slope/test_feed_kept.py N [first]``."""
 
 import sys
 

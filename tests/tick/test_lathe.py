@@ -36,7 +36,7 @@ def poses(program, line):
 def test_facing_keeps_feed_a_revolution_at_every_tick_in_the_cut(slope, change):
     program = lathe(FACING.format(d=200), f"path.slope={slope}", *change)
     pose, cuts = poses(program, 5)
-    ramp = {"linear": 10, "jerk": 45, "optimal": 45}[slope]  # ticks from rest to 400 mm/min: v/a, 2·√(v/j)
+    ramp = 10 if slope == "linear" else 45  # ticks from rest to 400 mm/min: v/a, 2·√(v/j)
     within = np.flatnonzero(cuts)[ramp:-ramp]
     ratio = pose["v"][within] / (pose["spindle_rpm"][within] * 0.2 / 60)
     assert len(ratio) > 40_000

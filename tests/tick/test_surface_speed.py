@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Contours under G96 within a tolerance, drawn by seed: feed a revolution, the spindle's
-acceleration, and every limit. Outside of pytest N: ``python tests/tick/test_surface_speed.py N``."""
+acceleration, and every limit. Outside of pytest N:
+``PYTHONPATH=tests python tests/tick/test_surface_speed.py N``."""
 
 import sys
 

@@ -12,7 +12,7 @@
 // are so short that it would not hold what a window has to see.
 static const double costs[NCK_TRACK_LEVELS] = {1.0 / 32.0, 1.0 / 8.0, 1.0 / 4.0, 1.0 / 2.0};
 #define EVEN 1e9 // [path mm] is beyond any path
-#define EVENS 40.0 // where a feed is even it is said to be so by so much more a mm: knots grow there
+#define EVENS 40.0 // where a feed is even it is so by so much more a mm: knots grow there
 #define SPAN 0.5 // how long joining makes a line, in knots at the feed: nothing looks closer
 
 void nck_track_begin(nck_track_t *self, int axes, double knot_s, double spin_a) {

@@ -30,8 +30,6 @@ enum { PHASE_IDLE = 0, PHASE_MAKE, PHASE_INSTALL };
 enum { NO_BRAKE = 4 };
 // The same by optimisation: some three intervals, so that the window has most of its way left.
 enum { NO_MOTION = 8 };
-// Pieces before its first one that an optimal plan looks at.
-enum { LOOKS = 2 };
 
 void nck_slope_init(nck_slope_t *self, const nck_terms_t *terms, nck_link_t *link) {
     const nck_machine_t *const machine = terms->machine;
@@ -221,7 +219,7 @@ static void replan(nck_slope_t *self, const nck_pieces_t *pieces) {
     nck_planner_choose(self, nck_plan_piece(pieces, self->now.piece)); // a start may have another
     uint32_t first = takeover(self);
     self->phase = PHASE_IDLE;
-    // It brakes already: where a plan slows down, the tick does the rest, whatever is wished besides.
+    // It brakes already: where a plan slows down the tick does the rest, whatever else is wished.
     if (self->now.held == NCK_HELD_RESUME || (self->now.slows && self->wish.hold)) return;
     const nck_cell_t *const cell =
         nck_link_tail_cell(self->link, (self->now.begin + first) & NCK_LINK_COUNT_MASK);
@@ -479,14 +477,10 @@ int nck_slope_hurry(nck_slope_t *self, uint32_t periods) {
 }
 
 // A jerk-limited plan looks at pieces of the plan of now that the tick has passed, whether or not
-// it has: setpoints must not hang on time. An optimal one looks at the two before its own.
+// it has: setpoints must not hang on time. An optimal one looks at none before its own.
 uint32_t nck_slope_needs(const nck_slope_t *self) {
-    const uint32_t kind = nck_planner_kind(self);
-    const uint32_t passed = self->now.piece - self->now.first_piece;
-    const uint32_t back = kind == NCK_SLOPE_LINEAR                       ? 0
-                          : kind == NCK_SLOPE_OPTIMAL && passed > LOOKS ? LOOKS
-                                                                         : passed;
-    return final_count(self) < self->now.n ? self->now.piece - back : self->now.piece;
+    const int looks_back = nck_planner_kind(self) == NCK_SLOPE_JERK;
+    return looks_back && final_count(self) < self->now.n ? self->now.first_piece : self->now.piece;
 }
 
 int nck_slope_is_held(const nck_slope_t *self) {
