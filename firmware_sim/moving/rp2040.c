@@ -25,6 +25,8 @@ enum {
 
 static uint32_t count; // fast interrupts since the last period
 
+_Bool __atomic_compare_exchange_4(volatile void *at, void *expected, unsigned desired, _Bool weak,
+                                  int success, int failure);
 void SysTick_Handler(void);
 void PendSV_Handler(void);
 void UART0_IRQ_Handler(void);
@@ -73,6 +75,21 @@ void part_drives(uint32_t on) { REG(SIO + (on ? 0x14u : 0x18u)) = 1u << DRIVES; 
 void part_send(uint8_t byte) {
     while (REG(UART0 + 0x18) & 1u << 5) continue;
     REG(UART0) = byte;
+}
+
+// The processor has no exclusive access, so the compiler calls this for the kernel's one exchange.
+_Bool __atomic_compare_exchange_4(volatile void *at, void *expected, unsigned desired, _Bool weak,
+                                  int success, int failure) {
+    volatile uint32_t *const word = at;
+    uint32_t *const wanted = expected, mask;
+    (void)weak, (void)success, (void)failure;
+    __asm__ volatile("mrs %0, primask\n\tcpsid i" : "=r"(mask)::"memory");
+    const uint32_t is = *word;
+    if (is == *wanted) *word = desired;
+    __asm__ volatile("msr primask, %0" ::"r"(mask) : "memory");
+    const _Bool done = is == *wanted;
+    *wanted = is;
+    return done;
 }
 
 void SysTick_Handler(void) {

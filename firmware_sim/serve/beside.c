@@ -5,7 +5,7 @@
 #include <string.h> // memcpy
 
 #include "inputs/inputs.h"
-#include "nck/base/fence.h" // nck_fence_load
+#include "nck/base/fence.h" // nck_fence_load nck_fence_store
 #include "serve/parts.h"
 
 // Numbers of grbl's alarms; the last two are grblHAL's.
@@ -119,7 +119,10 @@ static void heed_stop(serve_t *self) {
     if (probes) return;
     self->held = self->door = self->jogging = 0;
     self->line.error = SERVE_E_LOCKED;
-    if (self->phase != SERVE_READS && self->phase != SERVE_OWNS) serve_answer(self);
+    if (self->phase == SERVE_OWNS) return;
+    if (self->phase != SERVE_READS) serve_answer(self);
+    self->line.own = 1;
+    self->phase = SERVE_OWNS; // M5, M9
 }
 
 static void heed_door(serve_t *self) {
@@ -140,6 +143,8 @@ static int step(serve_t *self) {
     inputs_t *const inputs = self->inputs;
     if (is_on(inputs, HAL_IN_EMERGENCY)) {
         alarm(self, ALARM_EMERGENCY);
+        nck_fence_store(&self->tick.turns, 0); // nothing is executed that would switch them
+        nck_fence_store(&self->tick.coolant, 0);
         if (self->phase == SERVE_HOMES) {
             inputs_give_up(inputs);
             self->line.error = SERVE_E_LOCKED;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lines that begin with $: settings, and what a sender asks for.
+#include <stddef.h> // offsetof
 #include <string.h> // memset
 
 #include "serve/parts.h"
@@ -88,11 +89,11 @@ static uint8_t free_axes(serve_t *self, int homes) {
 // $RST=# has offsets none, and the places of G28 and G30 the machine's zero; $RST=$ settings,
 // $RST=* both.
 static uint8_t restore(serve_t *self, char what) {
+    enum { SYSTEMS = offsetof(nck_modal_t, systems_nm) };
     nck_modal_t modal;
     if (what != '$' && what != '#' && what != '*') return SERVE_E_STATEMENT;
     nck_modal(self->nck, &modal);
-    memset(modal.systems_nm, 0, sizeof modal.systems_nm);
-    memset(modal.home_nm, 0, sizeof modal.home_nm);
+    memset((char *)&modal + SYSTEMS, 0, sizeof modal - SYSTEMS); // G28 and G30 are behind them
     memset(modal.g92_nm, 0, sizeof modal.g92_nm);
     if (what != '$' && nck_modal_set(self->nck, &modal) != NCK_OK) return SERVE_E_BUSY;
     if (what != '#') {
@@ -108,7 +109,6 @@ static uint8_t restore(serve_t *self, char what) {
 static void say(serve_t *self, serve_command_t command) {
     static const int32_t sizes[] = {NCK_SEG_MAX, SERVE_RING - 1};
     serve_say_form(self, SERVE_SAY_HELP + (uint32_t)command - SERVE_DOLLAR_HELP, sizes);
-    self->sleeps = command == SERVE_DOLLAR_SLEEP;
 }
 
 // Returns its error, or 0.
@@ -122,6 +122,11 @@ static uint8_t obey(serve_t *self, serve_command_t command, char what) {
     case SERVE_DOLLAR_OFFSETS: serve_say_offsets(self); break;
     case SERVE_DOLLAR_RESTORE: return restore(self, what);
     case SERVE_DOLLAR_SETS: return set(self);
+    case SERVE_DOLLAR_SLEEP:
+        self->sleeps = 1;
+        self->phase = SERVE_OWNS; // M5, M9
+        say(self, command);
+        break;
     default: say(self, command);
     }
     return 0;

@@ -15,7 +15,7 @@ enum {
 };
 
 static const char at_reset[] = "G92.1G49G54M5M9\n"; // what a reset undoes
-enum { AT_END = 8 };                               // from there on: the end of a program, too
+enum { AT_END = 8 }; // from there on: the end of a program, sleep, alarms of limits, too
 
 // ---- what the tick tells
 

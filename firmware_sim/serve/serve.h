@@ -35,7 +35,7 @@ typedef enum serve_phase {
     SERVE_SETTLES = 3,// all before it, and it, is to be executed
     SERVE_BRAKES = 4, // the path comes to rest, what is left of it is dropped
     SERVE_HOMES = 5,  // $H is in work
-    SERVE_OWNS = 6    // behind a reset, or the end of a program: text of our own comes
+    SERVE_OWNS = 6    // behind a reset, an end, sleep, a stop by a switch: text of our own comes
 } serve_phase_t;
 
 // What a line does, bit by bit.

@@ -26,6 +26,7 @@ from pycnc.machine import Machine
 RING = 127
 MICRON_NM = 1000  # what a report counts by
 PATIENCE = 400_000  # ticks without an answer
+SLOPES = ("jerk", "jerk", "optimal")
 HOLD, RESUME, RESET, CANCEL = b"!", b"~", b"\x18", b"\x85"
 OVERRIDES = b"\x90\x91\x92\x93\x94\x95\x96\x97\x99\x9a"
 
@@ -325,7 +326,8 @@ RESET_MOST = 1500  # ticks until a reset has braked from whatever, and said so
 
 def resets(seed):
     """Reset at any moment, in a dwell and a wait too: it brakes, says so, and knows where it is."""
-    draw, talk = random.Random(seed), Talk()
+    draw = random.Random(seed)
+    talk = Talk(mill(**{"path.slope": draw.choice(SLOPES)}))
     lines, _ = program(draw)
     rests = (f"G4P{draw.uniform(0, 90):.1f}", "M0", "M6", "$J=G91X9F500", "$C", "$SLP", "M30")
     for _ in range(3):
@@ -408,7 +410,8 @@ BRAKE_MOST_S = 0.015  # from ! to the first tick that is slower
 
 def brakes(seed):
     """Hold at a random moment: the tool is slower within 15 ms, and rests on its path."""
-    draw, talk = random.Random(seed), Talk()
+    draw = random.Random(seed)
+    talk = Talk(mill(**{"path.slope": draw.choice(SLOPES)}))
     feed = draw.uniform(300, 6000)
     way = f"X{draw.uniform(60, 200):.2f}Y{draw.uniform(-80, 80):.2f}"
     talk.send(f"G21G91G1{way}F{feed:.0f}\n".encode())

@@ -3,9 +3,11 @@
 
 import re
 import subprocess
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
+import targets
 from builds import build_c
 
 FOLDER = "firmware_sim/moving"
@@ -15,6 +17,10 @@ CORES = {
 }
 FLAGS = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Wundef",
          "-Wdouble-promotion", "-Werror", "-O2", "-mthumb", "-ffp-contract=off"]  # fmt: skip
+HANDLERS = {
+    "stm32f4": ("TIM2_IRQHandler", "PendSV_Handler", "USART2_IRQHandler"),
+    "rp2040": ("SysTick_Handler", "PendSV_Handler", "UART0_IRQ_Handler"),
+}
 LINES_MOST = 150
 
 
@@ -33,6 +39,39 @@ def test_a_part_compiles_with_what_is_common(part, root, tool, tmp_path):
                            text=True).stdout  # fmt: skip
     wanted = set(re.findall(r"U (part_\w+)", needed))
     assert len(wanted) == 5 and wanted <= set(re.findall(r"T (part_\w+)", given))
+
+
+@pytest.mark.seldom(4, "csrc/nck/base", "docs/moving.md", "firmware_sim/moving")
+@pytest.mark.parametrize("part", CORES)
+def test_a_part_links_and_the_page_tells_how_large_it_is(part, root, tool, tmp_path):
+    compiler = tool("arm-none-eabi-gcc")
+    options = [*CORES[part], "-mthumb", "-std=c99", "-Os", "-DNDEBUG", "-ffp-contract=off"]
+    options += ["-fno-math-errno", "-ffunction-sections"]
+    options += [f"-D{macro}={value}" for macro, value in targets.capacities("mill").items()]
+    places = [f"-I{root / 'csrc'}", f"-I{root / 'firmware_sim'}"]
+    sources = [*(root / "csrc" / "nck").rglob("*.c"), root / FOLDER / "moving.c"]
+    sources += [path for folder in ("serve", "inputs", "pulse")
+                for path in (root / "firmware_sim" / folder).glob("*.c")]  # fmt: skip
+
+    def compiled(item):
+        number, source = item
+        binary = tmp_path / f"{number}.o"
+        subprocess.run([compiler, *options, *places, "-c", source, "-o", binary], check=True)
+        return binary
+
+    with ThreadPoolExecutor(2) as pool:
+        objects = list(pool.map(compiled, enumerate([*sources, root / FOLDER / f"{part}.c"])))
+    image = tmp_path / "image.elf"
+    handlers = [f"-Wl,-u,{name}" for name in HANDLERS[part]]
+    link = ["-nostartfiles", "-Wl,--gc-sections,-e,main", *handlers]
+    subprocess.run([compiler, *options, *link, *objects, "-lm", "-o", image], check=True)
+    sizes = subprocess.run(["arm-none-eabi-size", image], capture_output=True, text=True).stdout
+    flash, data, bss = map(int, sizes.splitlines()[1].split()[:3])
+    page = (root / "docs" / "moving.md").read_text(encoding="utf-8")
+    told = re.search(r"(\d+) KB of flash on the STM32F4, (\d+) KB on the RP2040, (\d+) KB", page)
+    now = {"stm32f4": told[1], "rp2040": told[2]}[part]
+    assert flash / 1000 == pytest.approx(int(now), rel=0.05)
+    assert (data + bss) / 1000 == pytest.approx(int(told[3]), rel=0.05)
 
 
 def test_the_page_tells_how_long_they_are(root):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The switches that a machine file has: its owner homes, probes and meets limits as they are."""
 
+import random
 import pytest
 import switching_runs
 from serving_runs import HOLD, Talk
@@ -182,3 +183,26 @@ def test_a_free_axis_needs_the_place_of_its_switch(end):
     key = {"least": "min_mm = -150", "most": "max_mm = 50"}[end]
     with pytest.raises(MachineFileError, match="travel of X is free"):
         Machine.from_text(text.replace(key, "", 1))
+
+
+@pytest.mark.sample(4, quick=1)
+@pytest.mark.parametrize("seed", range(1, 41))
+def test_a_stop_by_a_switch_leaves_spindle_and_coolant_off(seed):
+    draw, talk = random.Random(seed), homed()
+    for line in draw.sample(("M3S1000", "M4S200", "M7", "M8", "G55", "$20=0"), 5):
+        talk.ask(line)
+    talk.ask("$20=0")
+    pushes = draw.random() < 0.5
+    talk.send(f"G91G1{draw.choice(('X300', 'Y-300', 'Z300'))}F3000\n".encode())
+    talk.wait(draw.choice((0, 1, 50, 2000)) if pushes else 9000)
+    if pushes:
+        talk.session.push("emergency", True)
+        talk.wait(draw.choice((20, 400)))
+        assert "E" in talk.status()["Pn"] and talk.status()["FS"].endswith(",0")
+        talk.session.push("emergency", False)
+    talk.wait(1000)
+    told = [talk.status() for _ in range(4)]
+    assert {each["state"] for each in told} == {"Alarm"} and told[-1]["FS"] == "0,0"
+    assert [each["A"] for each in told if "A" in each] == []
+    talk.said.clear()
+    assert talk.ask("$X")[-1] == "ok" and " M5 M9 " in talk.ask("$G")[0]

@@ -159,6 +159,11 @@ void nck_lookahead_drop(nck_lookahead_t *self, uint32_t n) {
     self->window.barrier -= n < self->window.barrier ? n : self->window.barrier;
 }
 
+// A piece of a clocked path, whose rests are room 5's.
+static int is_clocked(const nck_lookahead_t *self, const nck_node_t *node) {
+    return self->terms->machine->slope == NCK_SLOPE_OPTIMAL && node->kind == NCK_SEG_SPLINE;
+}
+
 int nck_lookahead_invariants(const nck_lookahead_t *self) {
     const uint32_t fill = self->window.fill, head = self->junction.head;
     int good = fill <= NCK_NODE_MAX && self->window.barrier <= fill
@@ -169,7 +174,7 @@ int nck_lookahead_invariants(const nck_lookahead_t *self) {
         const nck_node_t *const node = nck_lookahead_ahead(self, i);
         const nck_node_t *const next = nck_lookahead_ahead(self, i + 1);
         good = node->vv_cap >= 0.0 && node->vv_cap <= node->vv_piece
-               && (!next || !node->stop || next->vv_cap == 0.0);
+               && (!next || !node->stop || next->vv_cap == 0.0 || is_clocked(self, next));
     }
     return good;
 }

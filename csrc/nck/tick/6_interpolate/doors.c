@@ -79,14 +79,18 @@ uint64_t nck_interpolate_rebase(double *t, double period) {
     return (uint64_t)spans * NCK_INTERPOLATE_SPAN;
 }
 
+// A filter of one tap is not looked at, and keeps its place.
+static int is_filter(const nck_filter_t *filter) {
+    return filter->taps >= 1 && filter->taps <= NCK_FILTER_TAPS && filter->settle <= filter->taps
+           && (filter->at < filter->taps || filter->taps == 1);
+}
+
 int nck_interpolate_invariants(const nck_interpolate_t *self) {
-    const nck_filter_t *const filter = &self->filter;
     const nck_pose_t *const pose = &self->pose;
     double sum = pose->s + pose->left + pose->feed;
     for (int x = 0; x < NCK_AXIS_MAX; x++) sum += pose->axis[x];
     return sum - sum == 0.0 && pose->v >= 0.0 && pose->state <= NCK_TICK_HOLD
-           && filter->taps >= 1 && filter->taps <= NCK_FILTER_TAPS && filter->at < filter->taps
-           && filter->settle <= filter->taps && self->t_cell >= 0.0
+           && is_filter(&self->filter) && self->t_cell >= 0.0
            && self->t_cell < (double)NCK_INTERPOLATE_SPAN * self->machine->period_s
            && (!self->has_cell || self->cell.duration >= 0.0);
 }
