@@ -312,6 +312,11 @@ def test_a_circle_of_holes_that_is_none_has_one_error(lines, found):
     assert decode(f"{text}M30\n", mill())[1] == [(found, text.count("\n"))]
 
 
+def test_a_circle_behind_a_cycle_that_is_refused_has_no_error_of_its_own():
+    text = f"{HEAD}G81 X1. Z-5. F90.\nG70 I5. L4\nG80\nM30\n"
+    assert decode(text, mill())[1] == [("word-missing", 4)]
+
+
 # ---- boring
 
 def bored(rng):

@@ -16,10 +16,6 @@ enum { WHOLE = 700, PART = 710, HOLES_MOST = 1000 };
 
 static const double angle_most = 3600.0;
 
-static nck_status_t fail(nck_decode_t *self, nck_status_t code, int letter, double value) {
-    return nck_decode_fail_step(self, code, NCK_STEP_MOTION, letter, value, 0.0);
-}
-
 static nck_status_t read_angle(nck_decode_t *self, char letter, double *angle_out) {
     *angle_out = nck_has_word(self, letter) ? nck_decode_real_word(self, letter) : 0.0;
     if (*angle_out >= -angle_most && *angle_out <= angle_most) return NCK_OK;
@@ -45,25 +41,31 @@ static nck_status_t read_ring(nck_decode_t *self, int whole, int64_t *count_out)
     const int32_t before = self->modal.motion;
     const double code = whole ? 70.0 : 71.0;
     const char *const needs = whole ? "IL" : "IKL";
-    if (!nck_motion_is_cycle(before) || before == NCK_MOTION_SKIP) {
-        return fail(self, NCK_E_NO_MOTION, 'G', code);
+    const int drills = nck_motion_is_cycle(before) && before != NCK_MOTION_SKIP;
+    const nck_status_t status = !drills                     ? NCK_E_NO_MOTION
+                                : self->layout.on != 0      ? NCK_E_LAYOUT_ON
+                                : self->modal.plane != 17   ? NCK_E_UNSUPPORTED
+                                                            : NCK_OK;
+    if (status != NCK_OK) {
+        return nck_decode_fail_step(self, status, NCK_STEP_MOTION, 'G', code, 0.0);
     }
-    if (self->layout.on != 0) return fail(self, NCK_E_LAYOUT_ON, 'G', code);
-    if (self->modal.plane != 17) return fail(self, NCK_E_UNSUPPORTED, 'G', code);
     if (whole && nck_has_word(self, 'K')) {
         return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, 'K', 0.0, 0.0);
     }
     for (const char *letter = needs; *letter != '\0'; letter++) {
-        if (!nck_has_word(self, *letter)) return fail(self, NCK_E_WORD_MISSING, *letter, code);
+        if (nck_has_word(self, *letter)) continue;
+        return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_MOTION, *letter, code, 0.0);
     }
     return read_words(self, whole, count_out);
 }
 
 nck_status_t nck_ring_begin(nck_decode_t *self, int64_t *count_out) {
+    if (!NCK_HAS_CYCLES) return NCK_E_UNSUPPORTED;
     const int32_t code = self->words.code[NCK_STEP_MOTION];
     const int rings = self->tongue == NCK_TONGUE_FANUC && (code == WHOLE || code == PART);
     self->held.cycle.circles = rings ? NCK_CIRCLES_RING : 0;
     if (!rings) return NCK_OK;
+    if (self->modal.motion == NCK_MOTION_REFUSED) return NCK_EMPTY; // its cycle's mistake is told
     const nck_status_t status = read_ring(self, code == WHOLE, count_out);
     self->words.code[NCK_STEP_MOTION] = (uint16_t)self->modal.motion; // the cycle drills them
     return status;
@@ -81,9 +83,10 @@ static void put_hole(nck_decode_t *self, uint32_t k) {
 }
 
 nck_status_t nck_ring_place(nck_decode_t *self, int64_t count, int64_t *last_nm) {
+    if (!NCK_HAS_CYCLES) return NCK_E_UNSUPPORTED;
     nck_cycle_t *const cycle = &self->held.cycle;
     nck_status_t status = NCK_OK;
-    memcpy(cycle->step_nm, cycle->hole_nm, sizeof cycle->step_nm);
+    for (unsigned axis = 0; axis < 2; axis++) cycle->step_nm[axis] = cycle->hole_nm[axis];
     for (uint32_t k = 0; k < (uint32_t)count && status == NCK_OK; k++) {
         put_hole(self, k);
         for (unsigned axis = 0; axis < 2 && status == NCK_OK; axis++) {
@@ -97,6 +100,7 @@ nck_status_t nck_ring_place(nck_decode_t *self, int64_t count, int64_t *last_nm)
 }
 
 void nck_ring_next(nck_decode_t *self) {
+    if (!NCK_HAS_CYCLES) return;
     nck_cycle_t *const cycle = &self->held.cycle;
     put_hole(self, ++cycle->ring_at);
 }
