@@ -253,9 +253,14 @@ static double reached(nck_optimal_t *self, uint32_t k) {
     return here * PACE_MOST > vv ? vv / here : PACE_MOST;
 }
 
-// A pace to begin with, which may break limits by far: the last plan's, as far as that is not the
-// brake for its window's end, nor one for a rest, from which no end is found in time; the clock's
-// own behind it, with a brake for this window's end.
+// Whether the last plan's pace at a node is one to begin with: not that of the brake for its
+// window's end, nor for a rest, from which no end is found in time.
+static int is_near(const nck_optimal_t *self, const nck_optimal_pace_t *now, uint32_t at) {
+    return nck_optimal_goes_on(self) && !self->now->slows && at <= now->top;
+}
+
+// A pace to begin with, which may break limits by far: the last plan's, as far as that is near; the
+// clock's own behind it, with a brake for this window's end.
 static double pace_guess(nck_optimal_t *self, uint32_t k, double most) {
     const nck_optimal_pace_t *const work = nck_optimal_work(self);
     const nck_optimal_pace_t *const now = nck_optimal_now(self);
@@ -267,8 +272,7 @@ static double pace_guess(nck_optimal_t *self, uint32_t k, double most) {
     double b = GUESS * nck_min(most, 1.0);
     if (k > 0) b = nck_min(b, reached(self, k));
     if (!work->ends && x < 1.0) b *= x * nck_sqrt(nck_sqrt(x));
-    const int is_near = nck_optimal_goes_on(self) && !self->now->slows;
-    if (is_near && at <= now->top) b = AGAIN * now->b[at];
+    if (is_near(self, now, at)) b = AGAIN * now->b[at];
     if (nck_optimal_slows(self)) b = now->b[at];
     return nck_max(b, PACE_LEAST);
 }
