@@ -114,7 +114,9 @@ static planner_order_t order_of(int motion, double vel, unsigned char enables, c
 }
 
 // No override makes a move faster than ini_maxvel.
-static planner_order_t within(planner_order_t order, double ini_maxvel, double acc, double jerk) {
+static planner_order_t caps(planner_order_t order, double ini_maxvel, double acc, double jerk,
+                            const struct state_tag_t *tag) {
+    order.blends = (uint8_t)(tag->packed_flags >> GM_FLAG_BLEND & 1u);
     order.v_most = ini_maxvel;
     order.a_most = acc;
     order.j_most = jerk;
@@ -136,10 +138,10 @@ static int added(int taken, struct state_tag_t tag) {
 }
 
 int tpAddLine(TP_STRUCT *const tp, EmcPose end, int motion, double vel, double ini_maxvel,
-              double acc MOST_JERK, unsigned char enables, char atspeed, int indexrotary,
+              double acc MOST_JERK, unsigned char enables, char atspeed, int indexer,
               struct state_tag_t tag) {
     const planner_order_t order =
-        within(order_of(motion, vel, enables, atspeed, indexrotary), ini_maxvel, acc, MOVE_JERK);
+        caps(order_of(motion, vel, enables, atspeed, indexer), ini_maxvel, acc, MOVE_JERK, &tag);
     double place[MOVES_AXES];
     (void)tp;
     from_pose(&end, place);
@@ -160,7 +162,7 @@ int tpAddCircle(TP_STRUCT *const tp, EmcPose end, PmCartesian center, PmCartesia
                 int motion, double vel, double ini_maxvel, double acc MOST_JERK,
                 unsigned char enables, char atspeed, struct state_tag_t tag) {
     const planner_order_t order =
-        within(order_of(motion, vel, enables, atspeed, -1), ini_maxvel, acc, MOVE_JERK);
+        caps(order_of(motion, vel, enables, atspeed, -1), ini_maxvel, acc, MOVE_JERK, &tag);
     const double unit = scale(0);
     const double centre[3] = {center.x * unit, center.y * unit, center.z * unit};
     const double along[3] = {normal.x, normal.y, normal.z};
@@ -175,7 +177,7 @@ int tpAddRigidTap(TP_STRUCT *const tp, EmcPose end, double vel, double ini_maxve
                   double acc MOST_JERK, unsigned char enables, double reverse,
                   struct state_tag_t tag) {
     const planner_order_t order =
-        within(order_of(EMC_MOTION_TYPE_FEED, vel, enables, 0, -1), ini_maxvel, acc, MOVE_JERK);
+        caps(order_of(EMC_MOTION_TYPE_FEED, vel, enables, 0, -1), ini_maxvel, acc, MOVE_JERK, &tag);
     double place[MOVES_AXES];
     (void)tp;
     from_pose(&end, place);

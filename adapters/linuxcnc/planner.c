@@ -104,11 +104,12 @@ static int can_add(const planner_t *self, uint32_t entries) {
            && moves->head - moves->tail + entries <= MOVES_MAX;
 }
 
-// What the host has told of a move.
+// What the host has told of a move. A cycle under G64 rests where it turns: axes keep their jerk.
 static void fill(const planner_t *self, const planner_order_t *order, move_t *move) {
     memset(move, 0, sizeof *move);
     move->id = self->modal.id;
     move->path_mode = (uint8_t)self->modal.path_mode;
+    if (order->blends && move->path_mode == NCK_PATH_EXACT) move->path_mode = NCK_PATH_TURNS;
     move->tolerance = self->modal.tolerance > 0.0 ? self->modal.tolerance
                                                   : self->settings.tolerance;
     move->count = self->count + 1;

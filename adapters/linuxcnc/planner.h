@@ -70,6 +70,7 @@ typedef struct planner_order {
     uint8_t rapid;     // 1: as fast as the axes can
     uint8_t at_speed;  // 1: not before the spindles have their speed
     int indexer;       // joint to unlock for it; −1: none
+    uint8_t blends;    // 1: under G64, of which a cycle makes the exact path
 } planner_order_t;
 
 // What the operator wants, for the cycle that comes.

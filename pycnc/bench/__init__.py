@@ -33,7 +33,7 @@ SUBJECTS = {
     "families": [("families", "bench_families_rows")],
     "tubes": [("families", "bench_tubes_rows")],
     "linuxcnc": [("linuxcnc", "bench_linuxcnc_rows")],
-    LIVE: [("linuxcnc_live", "bench_live_rows")],
+    LIVE: [("linuxcnc_live", "bench_live_rows"), ("linuxcnc_wide", "bench_wide_rows")],
     "butterfly": [("linuxcnc", "bench_butterfly_rows")],
     "window": [("linuxcnc", "bench_window_rows")],
     "stops": [("stops", "bench_stops_rows")],

@@ -98,19 +98,24 @@ def install(module, modules=MODULES):
 
     Raises
     ------
-    StateError
-        If there is no such folder, or it may not be written.
+    AbsentError
+        If there is no such module or folder, or it may not be written.
     """
     place = Path(modules) / MODULE
     beside = place.with_suffix(".new")
+    if not Path(module).is_file():
+        words = f"{module} is not there: pycnc linuxcnc build {Path(module).parent}"
+        raise errors.AbsentError(words, id="module")
     if not place.parent.is_dir():
-        raise errors.StateError(f"{place.parent} is not there: apt-get install linuxcnc-uspace")
+        words = f"{place.parent} is not there: apt-get install linuxcnc-uspace"
+        raise errors.AbsentError(words, id="linuxcnc-absent")
     try:
         shutil.copyfile(module, beside)  # a running LinuxCNC keeps the file that it has loaded
         os.replace(beside, place)
     except PermissionError:
-        raise errors.StateError(
+        raise errors.AbsentError(
             f"{place.parent} may not be written; as root it may:\n"
-            f"    sudo install -m 644 {shlex.quote(str(Path(module).resolve()))} {place}"
+            f"    sudo install -m 644 {shlex.quote(str(Path(module).resolve()))} {place}",
+            id="not-written",
         ) from None
     return place

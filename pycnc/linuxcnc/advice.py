@@ -15,6 +15,7 @@ from pycnc.program import Program
 
 RAMPS_S = (0.4, 0.2, 0.1, 0.05, 0.025, 0.0125, 0.00625)  # until an axis has its acceleration
 WORTH = 0.03  # of the time, which half of a ramp is to save at least
+LONGEST_S = 0.1  # a ramp that is recommended, as `ini` has it: holds take as much longer
 _TOLERANCE_MM = 0.05  # of G64 without P, as the module has it
 _INCH_MM = 25.4
 _INK, _TIME, _CHOSEN = "#20242c", "#1f6feb", "#d1495b"
@@ -107,9 +108,10 @@ def rows_of(machine, texts, unit_mm, progress=None):
 
 
 def choose(rows):
-    """Return the row to begin with: half of its ramp saves less than WORTH of the time."""
+    """Return the row to begin with: half of its ramp saves less than WORTH of the time, and it is
+    no longer than LONGEST_S."""
     for row, harder in zip(rows, rows[1:-1], strict=False):
-        if row.time_s - harder.time_s < WORTH * row.time_s:
+        if row.ramp_s <= LONGEST_S and row.time_s - harder.time_s < WORTH * row.time_s:
             return row
     return rows[-2]
 

@@ -64,7 +64,7 @@ ARC_BLEND_GAP_CYCLES = 4
 ARC_BLEND_RAMP_FREQ = 100
 {planner}
 [KINS]
-KINEMATICS = trivkins coordinates={letters}
+KINEMATICS = {kinematics}
 JOINTS = {joints}
 [SPINDLE_0]
 MAX_FORWARD_VELOCITY = 4000
@@ -77,7 +77,8 @@ MAX_LIMIT = 10000
 MAX_VELOCITY = {v}
 MAX_ACCELERATION = {a}
 MAX_JERK = {j}
-HOME = 0
+HOME = {home}
+HOME_OFFSET = {home}
 FERROR = 50
 MIN_FERROR = 50
 HOME_SEARCH_VEL = 0
@@ -119,8 +120,9 @@ net mark sampler.0.pin.7
 net analog motion.analog-out-00 => sampler.0.pin.8
 """
 COLUMNS = "sfbbsfbbf"  # of the sampler, before the joints
+COORDINATED = 6  # one of them
 
-JOINT = """net position{n} joint.{n}.pos-cmd => micrometres{n}.in
+JOINT = """net position{n} {place} => micrometres{n}.in
 net motor{n} joint.{n}.motor-pos-cmd => joint.{n}.motor-pos-fb
 setp micrometres{n}.gain 1000
 addf micrometres{n} servo-thread
@@ -136,6 +138,23 @@ class Limits(NamedTuple):
     v: float = 100.0
     a: float = 1000.0
     j: float = 10_000.0
+
+
+class Kinematics(NamedTuple):
+    """What makes joints of axes, as many."""
+
+    module: str  # and its parameters
+    homes: tuple = ()  # where the joints begin; without any at zero
+    angular: str = ""  # joints that turn, by number
+    hal: str = ""  # more lines
+
+    @property
+    def place(self):
+        """Return the pin that has the place of an axis."""
+        return "axis.{x}.pos-cmd" if self.module else "joint.{n}.pos-cmd"
+
+
+TRIVIAL = Kinematics("")
 
 
 class Log(NamedTuple):
@@ -187,26 +206,37 @@ def absent(planner=""):
     return ""
 
 
-def _write(folder, planner, axes, limits):
+def _sections(axes, limits, kinematics):
+    """Return the sections of axes and joints."""
+    words = {"v": limits.v, "a": limits.a, "j": limits.j}
+    homes = kinematics.homes or (0,) * len(axes)
+    told = []
+    for n, (x, home) in enumerate(zip(axes, homes, strict=True)):
+        turns = {f"AXIS_{x}": x in "ABC",
+                 f"JOINT_{n}": str(n) in kinematics.angular if kinematics.module else x in "ABC"}
+        told += [AXIS.format(section=section, kind="ANGULAR" if angular else "LINEAR",
+                             home=home if section[0] == "J" else 0, **words)
+                 for section, angular in turns.items()]  # fmt: skip
+    return "".join(told)
+
+
+def _write(folder, planner, axes, limits, kinematics):
     """Write a configuration."""
     letters = axes.upper()
-    words = {"v": limits.v, "a": limits.a, "j": limits.j}
-    sections = [
-        AXIS.format(section=section, kind="ANGULAR" if x in "ABC" else "LINEAR", **words)
-        for n, x in enumerate(letters)
-        for section in (f"AXIS_{x}", f"JOINT_{n}")
-    ]
     ini = INI.format(
-        coordinates=" ".join(letters), letters=letters.lower(), joints=len(letters),
+        coordinates=" ".join(letters), joints=len(letters),
+        kinematics=kinematics.module or f"trivkins coordinates={letters.lower()}",
         v_path=2 * limits.v, a_path=2 * limits.a,
         planner=f"TPMOD = {planner}" if planner else "",
     )  # fmt: skip
     scales = ",".join(["rps", *(f"micrometres{n}" for n in range(len(letters)))])
-    hal = HAL.format(scales=scales, columns=COLUMNS + len(letters) * "f")
-    hal += "".join(JOINT.format(n=n, pin=len(COLUMNS) + n) for n in range(len(letters)))
+    hal = HAL.format(scales=scales, columns=COLUMNS + len(letters) * "f") + kinematics.hal
+    hal += "".join(JOINT.format(n=n, pin=len(COLUMNS) + n,
+                                place=kinematics.place.format(n=n, x=letters[n].lower()))
+                   for n in range(len(letters)))  # fmt: skip
     hal += "addf sampler.0 servo-thread\n"
-    texts = {"live.ini": ini + "".join(sections), "live.hal": hal, "live.var": "",
-             "tool.tbl": TOOLS}  # fmt: skip
+    texts = {"live.ini": ini + _sections(letters, limits, kinematics), "live.hal": hal,
+             "live.var": "", "tool.tbl": TOOLS}  # fmt: skip
     for name, text in texts.items():
         (folder / name).write_text(text, encoding="utf-8")
     display = folder / "display.py"
@@ -226,6 +256,7 @@ def _read(path, axes, text):
     if not rows:
         raise errors.StateError(f"LinuxCNC has not run:\n{text[-2000:]}", id="live")
     table = np.array(rows, dtype=float)
+    table = table[np.argmax(table[:, COORDINATED] > 0) :]  # homing is not the program's
     places = table[:, len(COLUMNS) :] / 1000
     moves = np.flatnonzero(np.abs(np.diff(places, axis=0)).max(axis=1) > 1e-9)
     first, last = (moves[0], moves[-1] + 2) if len(moves) else (0, 1)
@@ -249,7 +280,8 @@ def _call(call, folder, environment, limit_s):
     return said.read_text(encoding="utf-8", errors="replace")
 
 
-def run(folder, program, *, planner="", axes="XYZ", limits=None, script=(), limit_s=300.0):
+def run(folder, program, *, planner="", axes="XYZ", limits=None, script=(), limit_s=300.0,
+        kinematics=TRIVIAL):  # fmt: skip
     """Run a program in LinuxCNC.
 
     Parameters
@@ -268,6 +300,8 @@ def run(folder, program, *, planner="", axes="XYZ", limits=None, script=(), limi
         What the operator does: how long he waits [s], a word of display.py, what it takes.
     limit_s : float
         Wall clock that the program may take.
+    kinematics : Kinematics
+        Else each joint is an axis.
 
     Returns
     -------
@@ -283,7 +317,7 @@ def run(folder, program, *, planner="", axes="XYZ", limits=None, script=(), limi
     if reason := absent(planner):
         raise errors.AbsentError(reason, id="linuxcnc-absent")
     folder = Path(folder).resolve()
-    _write(folder, planner, axes, limits or Limits())
+    _write(folder, planner, axes, limits or Limits(), kinematics)
     (folder / "program.ngc").write_text(program, encoding="utf-8")
     asked = {"program": str(folder / "program.ngc"), "log": str(folder / "log.txt"),
              "script": list(script), "limit_s": limit_s}  # fmt: skip

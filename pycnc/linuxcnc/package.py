@@ -45,7 +45,7 @@ def _told(*call):
         raise errors.AbsentError(f"{call[0]} is not there: it is Debian's", id="linuxcnc-absent")
     done = subprocess.run(call, capture_output=True, text=True)
     if done.returncode:
-        raise errors.StateError(f"{' '.join(call)}: {done.stderr.strip()}")
+        raise errors.StateError(f"{' '.join(call)}: {done.stderr.strip()}", id="package")
     return done.stdout.strip()
 
 
@@ -56,7 +56,7 @@ def series_of(version):
     """
     found = re.match(r"(?:\d+:)?(\d+)\.(\d+)", version)
     if not found:
-        raise errors.StateError(f"{HOST} has a version that is none: {version}")
+        raise errors.StateError(f"{HOST} has a version that is none: {version}", id="package")
     major, minor = int(found[1]), int(found[2])
     return f"{major}.{minor}", f"{major}.{minor + 1}"
 
@@ -94,13 +94,14 @@ def pack(folder, to="."):
     Raises
     ------
     AbsentError
-        If dpkg is not installed.
+        If there is no module, or dpkg is not installed.
     StateError
-        If there is no module, or LinuxCNC is not installed as a package.
+        If LinuxCNC is not installed as a package.
     """
     module = Path(folder) / MODULE
     if not module.is_file():
-        raise errors.StateError(f"{module} is not there: pycnc linuxcnc build {folder}")
+        words = f"{module} is not there: pycnc linuxcnc build {folder}"
+        raise errors.AbsentError(words, id="module")
     series, following = series_of(_told("dpkg-query", "-W", "-f", "${Version}", HOST))
     architecture = _told("dpkg", "--print-architecture")
     root = Path(folder) / "package"

@@ -140,7 +140,7 @@ static void bad_arguments_are_refused(check_t *check)
         with_feed(front_to(8, NCK_IN_LINE, 1.0, 0.0), NCK_FEED_PER_MINUTE, 0.0),
         with_feed(front_to(9, NCK_IN_LINE, 1.0, 0.0), (nck_feed_mode_t)3, 1.0),
         with_path(front_to(10, NCK_IN_LINE, 1.0, 0.0), NCK_PATH_CONTINUOUS, -0.1),
-        with_path(front_to(11, NCK_IN_LINE, 1.0, 0.0), (nck_path_mode_t)3, 0.0),
+        with_path(front_to(11, NCK_IN_LINE, 1.0, 0.0), (nck_path_mode_t)4, 0.0),
         front_arc(12, end, end, 1), front_to(13, NCK_IN_LINE, 1.0, 0.0)};
     bad[11].plane = 20;
     bad[12].sets = 4;

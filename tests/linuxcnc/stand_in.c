@@ -314,6 +314,7 @@ static void set(const char *word, const double *n) {
     else if (strcmp(word, "vlimit") == 0) p_tpSetVlimit(&tp, n[0]);
     else if (strcmp(word, "amax") == 0) p_tpSetAmax(&tp, n[0]);
     else if (strcmp(word, "term") == 0) p_tpSetTermCond(&tp, (int)n[0], n[1]);
+    else if (strcmp(word, "blends") == 0) tag.packed_flags = (unsigned long)n[0] << GM_FLAG_BLEND;
     else if (strcmp(word, "dout") == 0) p_tpSetDout(&tp, (int)n[0], (unsigned char)n[1], 0);
     else if (strcmp(word, "aout") == 0) p_tpSetAout(&tp, (unsigned char)n[0], n[1], 0.0);
     else if (strcmp(word, "period") == 0) printf("period %d\n", p_tpSetCycleTime(&tp, n[0]));

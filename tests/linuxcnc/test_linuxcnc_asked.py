@@ -44,6 +44,20 @@ def rests(run):
     return int((moves[:-1] & ~moves[1:])[: np.flatnonzero(moves)[-1]].sum())
 
 
+# Cycles
+
+# LinuxCNC drills on the exact path whatever the program says, and tells G64 with each move.
+HOLES = [f"{word} {n} 0 {z}" for n in range(1, 4)
+         for word, z in (("rapid 100", 2), ("line 50", -5), ("rapid 100", 2))]  # fmt: skip
+
+
+@pytest.mark.parametrize("blends", [0, 1])
+def test_a_cycle_under_g64_keeps_the_jerk_in_its_corners(stand_in, blends):
+    run = stand_in.run([EXACT, f"blends {blends}", *HOLES, WITHIN, LINE, REST])
+    assert (run.peaks()[2] <= 1 + 1e-6) == bool(blends)
+    assert np.abs(run.places[:, 2].min() + 5) < 1e-6
+
+
 # Speed
 
 

@@ -134,8 +134,15 @@ def test_a_package_is_for_the_series_that_it_was_built_for(version, series):
 
 
 def test_a_package_without_a_module_is_refused(tmp_path):
-    with pytest.raises(errors.StateError, match="pycnc linuxcnc build"):
+    with pytest.raises(errors.AbsentError, match="pycnc linuxcnc build"):
         package.pack(tmp_path, tmp_path)
+
+
+@pytest.mark.parametrize("verb", ["install", "package"])
+def test_who_has_not_built_is_told_to(tmp_path, verb):
+    done = pycnc("linuxcnc", verb, str(tmp_path))
+    assert done.code == 2 and f"pycnc linuxcnc build {tmp_path}" in done.err
+    assert "report" not in done.err
 
 
 def test_who_may_not_install_is_told_what_root_is_to_say(tmp_path, monkeypatch):
@@ -143,7 +150,8 @@ def test_who_may_not_install_is_told_what_root_is_to_say(tmp_path, monkeypatch):
         raise PermissionError
 
     monkeypatch.setattr(shutil, "copyfile", refuse)
-    with pytest.raises(errors.StateError) as told:
+    (tmp_path / "a b.so").touch()
+    with pytest.raises(errors.AbsentError) as told:
         linuxcnc.install(tmp_path / "a b.so", tmp_path)
     assert f"sudo install -m 644 '{tmp_path}/a b.so' {tmp_path}/nck_tp.so" in str(told.value)
 
@@ -163,5 +171,5 @@ def test_a_module_is_put_where_linuxcnc_looks(tmp_path):
     module = tmp_path / "built.so"
     module.write_bytes(b"module")
     assert linuxcnc.install(module, tmp_path).read_bytes() == b"module"
-    with pytest.raises(errors.StateError, match="is not there"):
+    with pytest.raises(errors.AbsentError, match="is not there"):
         linuxcnc.install(module, tmp_path / "absent")

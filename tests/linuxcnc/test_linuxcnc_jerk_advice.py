@@ -46,6 +46,14 @@ def test_more_jerk_takes_less_time_and_one_line_is_recommended(told, tmp_path):
     assert (tmp_path / "jerk.svg").read_text(encoding="utf-8").count("<svg") == 1
 
 
+def test_a_program_to_which_jerk_is_all_one_is_told_what_ini_proposes(told, tmp_path):
+    ini = Machine(a=4000).ini
+    (tmp_path / "long.ngc").write_text("G21 G1 F600 X90\nX0\nM2\n", encoding="utf-8")
+    told(ini)
+    out = pycnc("linuxcnc", "jerk", str(tmp_path / "machine.ini"), str(tmp_path / "long.ngc")).out
+    assert re.findall(r"^MAX_LINEAR_JERK = (\d+)$", out, re.M) == ["40000"]
+
+
 def test_the_recommended_line_is_all_that_the_file_lacks(told):
     ini = Machine(traj="TPMOD = nck_tp").ini.replace("MAX_JERK = 10000.0\n", "")
     out = told(ini).out

@@ -253,15 +253,14 @@ static double reached(nck_optimal_t *self, uint32_t k) {
     return here * PACE_MOST > vv ? vv / here : PACE_MOST;
 }
 
-// What a brake for the window's end leaves of a pace at a node, if it is one.
-static double brake_share(const nck_optimal_pace_t *work, uint32_t k) {
-    const double x = (double)(work->n - k) / BRAKE_NODES;
-    return work->ends || x >= 1.0 ? 1.0 : x * nck_sqrt(nck_sqrt(x));
+// Whether the last plan's pace at a node is one to begin with: not that of the brake for its
+// window's end, nor for a rest, from which no end is found in time.
+static int is_near(const nck_optimal_t *self, const nck_optimal_pace_t *now, uint32_t at) {
+    return nck_optimal_goes_on(self) && !self->now->slows && at <= now->top;
 }
 
-// A pace to begin with, which may break limits by far: the last plan's, as far as that is not the
-// brake for its window's end, nor one for a rest, from which no end is found in time; the clock's
-// own behind it, with a brake for this window's end.
+// A pace to begin with, which may break limits by far: the last plan's, as far as that is near; the
+// clock's own behind it, with a brake for this window's end.
 static double pace_guess(nck_optimal_t *self, uint32_t k, double most) {
     const nck_optimal_pace_t *const work = nck_optimal_work(self);
     const nck_optimal_pace_t *const now = nck_optimal_now(self);
@@ -269,11 +268,11 @@ static double pace_guess(nck_optimal_t *self, uint32_t k, double most) {
     if (self->again > 0) return work->b[k];
     if (nck_optimal_goes_on(self) && k < NCK_OPTIMAL_GIVEN) return now->b[at];
     if (k == work->n && !work->ends) return 0.0;
+    const double x = (double)(work->n - k) / BRAKE_NODES;
     double b = GUESS * nck_min(most, 1.0);
     if (k > 0) b = nck_min(b, reached(self, k));
-    b *= brake_share(work, k);
-    const int is_near = nck_optimal_goes_on(self) && !self->now->slows;
-    if (is_near && at <= now->top) b = AGAIN * now->b[at];
+    if (!work->ends && x < 1.0) b *= x * nck_sqrt(nck_sqrt(x));
+    if (is_near(self, now, at)) b = AGAIN * now->b[at];
     if (nck_optimal_slows(self)) b = now->b[at];
     return nck_max(b, PACE_LEAST);
 }

@@ -219,7 +219,7 @@ static void replan(nck_slope_t *self, const nck_pieces_t *pieces) {
     nck_planner_choose(self, nck_plan_piece(pieces, self->now.piece)); // a start may have another
     uint32_t first = takeover(self);
     self->phase = PHASE_IDLE;
-    // It brakes already: where a plan slows down the tick does the rest, whatever else is wished.
+    // It brakes already: of a plan that slows down, the tick does the rest, whatever else is asked.
     if (self->now.held == NCK_HELD_RESUME || (self->now.slows && self->wish.hold)) return;
     const nck_cell_t *const cell =
         nck_link_tail_cell(self->link, (self->now.begin + first) & NCK_LINK_COUNT_MASK);

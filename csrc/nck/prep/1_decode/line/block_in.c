@@ -54,7 +54,7 @@ int nck_decode_block_good(const nck_block_in_t *block) {
     return block->sets <= (NCK_IN_SETS_FEED | NCK_IN_SETS_PATH) && kind_good(block)
            && (!feeds || (block->feed_mode <= NCK_FEED_PER_REV && block->feed > 0.0
                           && block->feed <= value_max))
-           && (!paths || (block->path_mode <= NCK_PATH_CONTINUOUS
+           && (!paths || (block->path_mode <= NCK_PATH_TURNS
                           && (!within_p || nck_within(block->tolerance, 0.0, linear_max_mm))));
 }
 
