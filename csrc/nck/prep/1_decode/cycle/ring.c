@@ -10,7 +10,7 @@
 #include "nck/prep/1_decode/number/number.h" // nck_decode_length_word nck_decode_travel …
 #include "nck/base/trig_math.h" // nck_sincos NCK_PI
 
-#include <string.h> // memcpy
+#include <string.h> // memcpy memmove
 
 enum { WHOLE = 700, PART = 710, HOLES_MOST = 1000 };
 
@@ -83,7 +83,7 @@ static void put_hole(nck_decode_t *self, uint32_t k) {
 nck_status_t nck_ring_place(nck_decode_t *self, int64_t count, int64_t *last_nm) {
     nck_cycle_t *const cycle = &self->held.cycle;
     nck_status_t status = NCK_OK;
-    memcpy(cycle->step_nm, cycle->hole_nm, sizeof cycle->step_nm);
+    memmove(cycle->step_nm, cycle->hole_nm, sizeof cycle->step_nm); // one place without cycles
     for (uint32_t k = 0; k < (uint32_t)count && status == NCK_OK; k++) {
         put_hole(self, k);
         for (unsigned axis = 0; axis < 2 && status == NCK_OK; axis++) {
