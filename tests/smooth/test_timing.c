@@ -20,7 +20,8 @@ static nck_num plan[NCK_FAIR_KNOTS + 1];
 static void keep(int from, int to, int blend)
 {
     const int span[3] = {from, to, blend};
-    nck_timing_keep(&clock_, &list, &track, plan, span);
+    nck_timing_begin_keep(&clock_, &list, &track, span);
+    while (nck_timing_keep(&clock_, &list, &track, plan) == NCK_OK) continue;
 }
 
 static void begin(void)

@@ -35,7 +35,6 @@
 #define POINTS 8   // reference points and nodes a call
 
 void nck_stream_begin(nck_stream_t *self, const nck_stream_wish_t *wish) {
-    static const int nothing[3] = {0, 0, 0};
     self->wish = *wish;
     self->phase = NCK_STREAM_GUESS;
     self->at = 0;
@@ -50,10 +49,10 @@ void nck_stream_begin(nck_stream_t *self, const nck_stream_wish_t *wish) {
     self->near = 0;
     memset(&self->told, 0, sizeof self->told);
     memset(self->seam, 0, sizeof self->seam);
-    nck_track_begin(&self->track, wish->terms.axes, wish->terms.tau,
-                    wish->terms.spin_a);
+    nck_track_begin(&self->track, wish->terms.axes, wish->terms.tau, wish->terms.spin_a);
     nck_timing_begin(&self->clock, &self->wish.terms);
-    nck_timing_keep(&self->clock, &self->work.list, &self->track, self->b, nothing);
+    self->work.list.count = 0;
+    self->work.list.kept = 0;
 }
 
 nck_status_t nck_stream_push(nck_stream_t *self, const nck_seg_t *seg, double tolerance) {
@@ -202,8 +201,8 @@ static nck_status_t slow_down(nck_stream_t *self) {
     self->told.slowed++;
     self->clock.even = 1;
     const int span[3] = {0, self->clock.knots, self->clock.begins ? 0 : BLEND_SOON};
-    nck_timing_keep(&self->clock, &self->work.list, &self->track, self->b, span);
-    return go(self, NCK_STREAM_CLOCK);
+    nck_timing_begin_keep(&self->clock, &self->work.list, &self->track, span);
+    return go(self, NCK_STREAM_KEEP);
 }
 
 static int tries_of(const nck_stream_t *self) { return self->clock.begins ? TRIES_REST : TRIES; }
@@ -376,13 +375,13 @@ static nck_status_t set_nodes(nck_stream_t *self) {
 }
 
 // What comes of the window: another round, or pieces. Where the next clock begins.
-static void turn(nck_stream_t *self, int from) {
+static nck_status_t turn(nck_stream_t *self, int from) {
     const int knots = self->clock.knots;
     const int known = knots - OPEN > from + 2 ? knots - OPEN : from + 2;
     const int to = self->clock.ends || known > knots ? knots : known;
-    const int blend = self->clock.begins && from == 0 ? 0 : (int)BLEND;
-    const int span[3] = {from, to, blend};
-    nck_timing_keep(&self->clock, &self->work.list, &self->track, self->b, span);
+    const int span[3] = {from, to, self->clock.begins && from == 0 ? 0 : (int)BLEND};
+    nck_timing_begin_keep(&self->clock, &self->work.list, &self->track, span);
+    return go(self, NCK_STREAM_KEEP);
 }
 
 // 1 if the plan along the curve is its clock: another round would change nothing.
@@ -415,18 +414,12 @@ static nck_status_t make_motion(nck_stream_t *self) {
         return go(self, NCK_STREAM_PROVE);
     }
     self->round++;
-    turn(self, 0);
-    return go(self, NCK_STREAM_CLOCK);
+    return turn(self, 0);
 }
 
-// All of the window's pieces are taken: the next one begins where they end.
-static nck_status_t next_window(nck_stream_t *self) {
-    if (self->clock.ends && !self->halts) return go(self, NCK_STREAM_OVER);
+// The next window begins at the seam.
+static nck_status_t begin_window(nck_stream_t *self) {
     const double s = self->clock.s[4 * self->commit];
-    memcpy(self->seam, &self->point[self->commit], sizeof self->seam);
-    set_knots(self, self->commit, self->knot_s);
-    if (self->halts) nck_timing_rest(&self->clock, &self->work.list, s);
-    else turn(self, self->commit);
     self->halts = 0;
     nck_timing_drop(&self->clock, s);
     nck_track_drop(&self->track, s, nck_timing_reach(&self->clock, &self->track));
@@ -438,10 +431,28 @@ static nck_status_t next_window(nck_stream_t *self) {
     return go(self, NCK_STREAM_GUESS);
 }
 
+// All of the window's pieces are taken: the next one begins where they end.
+static nck_status_t next_window(nck_stream_t *self) {
+    if (self->clock.ends && !self->halts) return go(self, NCK_STREAM_OVER);
+    memcpy(self->seam, &self->point[self->commit], sizeof self->seam);
+    set_knots(self, self->commit, self->knot_s);
+    if (!self->halts) return turn(self, self->commit);
+    nck_timing_rest(&self->clock, &self->work.list, self->clock.s[4 * self->commit]);
+    return begin_window(self);
+}
+
+static nck_status_t keep_clock(nck_stream_t *self) {
+    nck_timing_list_t *const list = &self->work.list;
+    if (nck_timing_keep(&self->clock, list, &self->track, self->b) == NCK_OK) return NCK_OK;
+    return self->commit > 0 ? begin_window(self) : go(self, NCK_STREAM_CLOCK);
+}
+
 nck_status_t nck_stream_step(nck_stream_t *self) {
     switch (self->phase) {
     case NCK_STREAM_GUESS:
         return guess(self);
+    case NCK_STREAM_KEEP:
+        return keep_clock(self);
     case NCK_STREAM_CLOCK:
         return make_clock(self);
     case NCK_STREAM_REFERENCE:

@@ -31,6 +31,7 @@ typedef struct nck_stream_piece {
 // What happens next.
 typedef enum nck_stream_phase {
     NCK_STREAM_GUESS = 0, // look at places as far ahead as there is room
+    NCK_STREAM_KEEP,      // keep what the next clock has of this one
     NCK_STREAM_CLOCK,     // make the clock
     NCK_STREAM_REFERENCE, // control points on the program
     NCK_STREAM_SAMPLES,   // where the curve must be

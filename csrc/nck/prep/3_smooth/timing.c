@@ -306,27 +306,41 @@ static void keep_place(const nck_timing_t *self, nck_num pace, nck_num share, in
     out->wide *= scale;
 }
 
-void nck_timing_keep(nck_timing_t *self, nck_timing_list_t *list, const nck_track_t *track,
-                     const nck_num *b, const int span[3]) {
-    const int from = span[0];
-    const int to = span[1];
-    uint32_t near = track->tail;
+void nck_timing_begin_keep(nck_timing_t *self, nck_timing_list_t *list, const nck_track_t *track,
+                           const int span[3]) {
+    self->keep.from = span[0];
+    self->keep.to = span[1];
+    self->keep.blend = span[2];
+    self->keep.near = track->tail;
+    self->at = 4 * span[0];
     list->count = 0;
-    for (int k = 4 * from; k <= 4 * to && to > from; k++) {
-        if (list->count > 0 && !(self->s[k] > list->at[list->count - 1].s + 1e-9)) continue;
-        const nck_num share = share_at(k, from, span[2]);
-        // At a seam no row stands at the first node: its b is of no use.
-        const nck_num pace = pace_at(b, self->begins || k > 4 ? k : 4);
-        nck_place_t *const place = &list->at[list->count];
-        place->s = self->s[k];
-        place->wide = wide_at(self, track, &near, place->s);
-        keep_place(self, pace, share, k, place);
-        list->count++;
+}
+
+// A quarter of the clock is kept, if it goes on there.
+static void keep_quarter(nck_timing_t *self, nck_timing_list_t *list, const nck_track_t *track,
+                         const nck_num *b, int k) {
+    if (list->count > 0 && !(self->s[k] > list->at[list->count - 1].s + 1e-9)) return;
+    const nck_num share = share_at(k, self->keep.from, self->keep.blend);
+    // At a seam no row stands at the first node: its b is of no use.
+    const nck_num pace = pace_at(b, self->begins || k > 4 ? k : 4);
+    nck_place_t *const place = &list->at[list->count++];
+    place->s = self->s[k];
+    place->wide = wide_at(self, track, &self->keep.near, place->s);
+    keep_place(self, pace, share, k, place);
+}
+
+nck_status_t nck_timing_keep(nck_timing_t *self, nck_timing_list_t *list,
+                             const nck_track_t *track, const nck_num *b) {
+    const int all = self->keep.to > self->keep.from ? 4 * self->keep.to + 1 : self->at;
+    for (int n = 0; n < NCK_TIMING_SLICE && self->at < all; n++) {
+        keep_quarter(self, list, track, b, self->at++);
     }
+    if (self->at < all) return NCK_OK;
     list->kept = list->count;
-    if (from > 0) self->begins = 0;
+    if (self->keep.from > 0) self->begins = 0;
     self->phase = NCK_TIMING_ADD;
     self->at = 0;
+    return NCK_DONE;
 }
 
 void nck_timing_rest(nck_timing_t *self, nck_timing_list_t *list, double s) {

@@ -84,6 +84,11 @@ typedef struct nck_timing {
     int at;           // place or quarter of the phase that comes next
     int knots;        // of the window
     struct {
+        int from, to; // knots that are kept
+        int blend;    // knots over which the plan comes in
+        uint32_t near; // element where one was found last
+    } keep;
+    struct {
         double all;   // time of the list [s]; to be stretched
         double more;  // by so much [s]
         double step;  // s is sought at times so far apart [s]
@@ -125,9 +130,13 @@ void nck_timing_drop(nck_timing_t *self, double s);
 // Begin to make the next clock from the knot `from` of this one on: its time runs by the plan's
 // b = (du/dt)² at knots, which comes in over `blend` knots, 0: at once. Up to the knot `to` all is
 // kept; behind it is the guess. span: from, to, blend; from = to = 0: nothing is kept.
-// Cost: linear in what is kept. Context: prep.
-void nck_timing_keep(nck_timing_t *self, nck_timing_list_t *list, const nck_track_t *track,
-                     const nck_num *b, const int span[3]);
+// Cost: constant. Context: prep.
+void nck_timing_begin_keep(nck_timing_t *self, nck_timing_list_t *list, const nck_track_t *track,
+                           const int span[3]);
+
+// Keep it. Returns NCK_OK (call again); NCK_DONE. Cost: a slice of 24 quarters. Context: prep.
+nck_status_t nck_timing_keep(nck_timing_t *self, nck_timing_list_t *list,
+                             const nck_track_t *track, const nck_num *b);
 
 // 1 if knots are far apart at this one. Cost: as nck_track_find. Context: prep.
 int nck_timing_is_wide(const nck_timing_t *self, const nck_track_t *track, uint32_t *near,

@@ -13,7 +13,6 @@
 #define SHORTEST (NCK_FAIR_WINDOW / 2) // knots of a window behind which the run goes on: where less
                      // is known than they last the clock goes slower
 #define LEAST 7      // knots of a window: three control points at both ends stay
-#define SLICE 24     // places or quarters a call: 5 000 instructions of a processor with doubles
 
 // The next phase, from its begin.
 static void go(nck_timing_t *self, nck_timing_phase_t phase) {
@@ -23,7 +22,7 @@ static void go(nck_timing_t *self, nck_timing_phase_t phase) {
 
 // The end of a slice that begins where the walk is; `all`: of the walk.
 static int slice_end(const nck_timing_t *self, int all) {
-    return self->at + SLICE < all ? self->at + SLICE : all;
+    return self->at + NCK_TIMING_SLICE < all ? self->at + NCK_TIMING_SLICE : all;
 }
 
 // ---- places
@@ -130,7 +129,7 @@ static void begin_sampling(nck_timing_t *self, const nck_timing_list_t *list, in
 static int sample(nck_timing_t *self, const nck_timing_list_t *list) {
     const int last = list->count - 1;
     const int all = self->make.count + 1;
-    int work = SLICE; // places passed count as quarters found do
+    int work = NCK_TIMING_SLICE; // places passed count as quarters found do
     for (; self->at < all && work > 0; work--) {
         const double wanted = self->at * self->make.step;
         const nck_place_t *const at = &list->at[self->make.place];
