@@ -29,9 +29,7 @@ enum { PHASE_IDLE = 0, PHASE_MAKE, PHASE_INSTALL };
 // The same for a brake, which is sought from cell to cell; and the cells that the last try took.
 enum { NO_BRAKE = 4 };
 // The same by optimisation: some three intervals, so that the window has most of its way left.
-enum { NO_MOTION = 8 };
-// Pieces before its first one that an optimal plan looks at.
-enum { LOOKS = 2 };
+enum { NO_MOTION = 8, LOOKS = 2 }; // pieces before its first one that such a plan looks at
 
 void nck_slope_init(nck_slope_t *self, const nck_terms_t *terms, nck_link_t *link) {
     const nck_machine_t *const machine = terms->machine;
@@ -481,12 +479,10 @@ int nck_slope_hurry(nck_slope_t *self, uint32_t periods) {
 // A jerk-limited plan looks at pieces of the plan of now that the tick has passed, whether or not
 // it has: setpoints must not hang on time. An optimal one looks at the two before its own.
 uint32_t nck_slope_needs(const nck_slope_t *self) {
-    const uint32_t kind = nck_planner_kind(self);
-    const uint32_t passed = self->now.piece - self->now.first_piece;
-    const uint32_t back = kind == NCK_SLOPE_LINEAR                       ? 0
-                          : kind == NCK_SLOPE_OPTIMAL && passed > LOOKS ? LOOKS
-                                                                         : passed;
-    return final_count(self) < self->now.n ? self->now.piece - back : self->now.piece;
+    const uint32_t kind = nck_planner_kind(self), passed = self->now.piece - self->now.first_piece;
+    const uint32_t most = kind == NCK_SLOPE_OPTIMAL ? (uint32_t)LOOKS : UINT32_MAX;
+    if (kind == NCK_SLOPE_LINEAR || final_count(self) >= self->now.n) return self->now.piece;
+    return self->now.piece - (passed < most ? passed : most);
 }
 
 int nck_slope_is_held(const nck_slope_t *self) {
