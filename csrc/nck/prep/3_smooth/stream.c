@@ -34,11 +34,16 @@
                             // many iterations again
 #define POINTS 8   // reference points and nodes a call
 
-void nck_stream_begin(nck_stream_t *self, const nck_stream_wish_t *wish) {
-    self->wish = *wish;
-    self->phase = NCK_STREAM_GUESS;
+static nck_status_t go(nck_stream_t *self, nck_stream_phase_t phase) {
+    self->phase = phase;
     self->at = 0;
     self->leg = 0;
+    return NCK_OK;
+}
+
+void nck_stream_begin(nck_stream_t *self, const nck_stream_wish_t *wish) {
+    self->wish = *wish;
+    (void)go(self, NCK_STREAM_GUESS);
     self->round = 0;
     self->tries = 0;
     self->commit = 0;
@@ -65,13 +70,6 @@ nck_status_t nck_stream_push(nck_stream_t *self, const nck_seg_t *seg, double to
 void nck_stream_close(nck_stream_t *self) {
     nck_track_seal(&self->track);
     self->clock.closed = 1;
-}
-
-static nck_status_t go(nck_stream_t *self, nck_stream_phase_t phase) {
-    self->phase = phase;
-    self->at = 0;
-    self->leg = 0;
-    return NCK_OK;
 }
 
 static nck_status_t guess(nck_stream_t *self) {
@@ -447,6 +445,11 @@ static nck_status_t keep_clock(nck_stream_t *self) {
     return self->commit > 0 ? begin_window(self) : go(self, NCK_STREAM_CLOCK);
 }
 
+static nck_status_t give(nck_stream_t *self) {
+    if (self->phase == NCK_STREAM_OVER) return NCK_DONE;
+    return self->at < self->commit ? NCK_FULL : next_window(self);
+}
+
 nck_status_t nck_stream_step(nck_stream_t *self) {
     switch (self->phase) {
     case NCK_STREAM_GUESS:
@@ -469,10 +472,8 @@ nck_status_t nck_stream_step(nck_stream_t *self) {
         return prove(self);
     case NCK_STREAM_REST:
         return find_rest(self);
-    case NCK_STREAM_GIVE:
-        return self->at < self->commit ? NCK_FULL : next_window(self);
     default:
-        return NCK_DONE;
+        return give(self);
     }
 }
 

@@ -12,10 +12,8 @@
 #define NCK_TIMING_ASK ((nck_num)0.7) // share of the acceleration that the guess builds up speed
                                       // with
 
-enum {
-    NCK_TIMING_SLICE = 24 // places or quarters a call: 5 000 instructions of a processor with
-                          // doubles
-};
+// Places or quarters a call: 5 000 instructions of a processor with doubles.
+enum { NCK_TIMING_SLICE = 24 };
 
 // A speed v where the way x from or to a rest allows it, else what that allows: s = J' t³/6 gives
 // v³ = 4.5 J' x².
