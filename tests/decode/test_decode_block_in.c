@@ -119,7 +119,7 @@ static void what_is_no_block_is_refused(check_t *check) {
     bad[n++].feed = 0.0;
     bad[n++].feed = 2e9;
     bad[n++].feed_mode = 3;
-    bad[n++].path_mode = 3;
+    bad[n++].path_mode = 4;
     bad[n].path_mode = NCK_PATH_CONTINUOUS;
     bad[n++].tolerance = -1.0;
     bad[n].path_mode = NCK_PATH_CONTINUOUS;
