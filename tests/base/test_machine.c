@@ -191,8 +191,8 @@ static void choices_end_at_their_last_one(check_t *check) {
     check_word(check, &machine.slope, NCK_SLOPE_OPTIMAL + 1, 0);
     check_word(check, &machine.kinematics, NCK_KINEMATICS_LATHE_XZ, 1);
     check_word(check, &machine.kinematics, NCK_KINEMATICS_LATHE_XZ + 1, 0);
-    check_word(check, &machine.dialect.base, NCK_DIALECT_MARLIN, 1);
-    check_word(check, &machine.dialect.base, NCK_DIALECT_MARLIN + 1, 0);
+    check_word(check, &machine.dialect.base, NCK_DIALECT_GRBLHAL, 1);
+    check_word(check, &machine.dialect.base, NCK_DIALECT_GRBLHAL + 1, 0);
     check_word(check, &machine.work_system, NCK_WORK_SYSTEMS - 1, 1);
     check_word(check, &machine.work_system, NCK_WORK_SYSTEMS, 0);
     check_word(check, &machine.tool_count, NCK_TOOL_MAX, 1);

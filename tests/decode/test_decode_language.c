@@ -218,7 +218,7 @@ static void standard_codes_are_unsupported_not_unknown(check_t *check) {
 static void what_another_language_has_is_refused_by_its_name(check_t *check) {
     static const char *const codes[] = {
         "G7.1", "G12.1", "G27", "G29", "G31", "G34", "G41.2", "G42.2", "G43.4", "G44", "G45",
-        "G60", "G68.2", "G75", "G77", "G79", "G84.2", "M97", "M198"
+        "G60", "G68.2", "G75", "G77", "G79", "G84.2", "M96", "M198"
     };
     for (unsigned k = 0; k < sizeof codes / sizeof codes[0]; k++) {
         case_begin(&self);
