@@ -116,7 +116,7 @@
 
 // Nodes in the ring of the look-ahead: a window of the exact path, or what two plans of the optimal
 // slope see, one of which begins half a window behind the other; there a seg is one node.
-#if 3 * NCK_CLOCKED + 40 > 2 * NCK_WINDOW
+#if NCK_CLOCKED > 0 && 3 * NCK_CLOCKED + 40 > 2 * NCK_WINDOW
 #define NCK_NODE_MAX NCK_SEG_MAX
 #else
 #define NCK_NODE_MAX NCK_WINDOW
