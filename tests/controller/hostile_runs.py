@@ -88,7 +88,7 @@ class Storm:
 
     def __init__(self, seed):
         self.draw = random.Random(seed)
-        slope = self.draw.choice(("jerk", "jerk", "linear"))
+        slope = self.draw.choice(("jerk", "jerk", "linear", "optimal"))
         self.talk = Talk(machine(INPUTS, **{"path.slope": slope}))
         self.session = self.talk.session
         self.open, self.sent, self.answers, self.trace = False, 0, 0, []

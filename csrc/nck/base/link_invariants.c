@@ -12,22 +12,26 @@
 typedef struct chain {
     uint32_t cells; // 0: nothing is known of what was before
     double v;       // at the end of the last one [path mm/s], of a clocked path per seg [1/s]
+    int rests;      // 1: the path does there
 } chain_t;
 
-// What a cell's speed counts in: the coordinate of a clocked seg is its own.
-static double unit_of(const nck_link_t *self, const nck_cell_t *cell) {
-    const nck_seg_t *const seg = nck_link_seg(self, cell->seg);
-    return NCK_HAS_OPTIMAL && seg->keeps == NCK_KEEP_CLOCK ? seg->length : 1.0;
+static int is_clocked(const nck_link_t *self, const nck_cell_t *cell) {
+    return NCK_HAS_OPTIMAL && nck_link_seg(self, cell->seg)->keeps == NCK_KEEP_CLOCK;
 }
 
-// Whether a cell goes on from those before it.
+// Whether a cell goes on from those before it. Behind a rest a clocked path may begin at any pace:
+// its clock goes there, its place does not.
 static int follows(const nck_link_t *self, chain_t *chain, const nck_cell_t *cell) {
-    const double unit = unit_of(self, cell);
+    // What its speed counts in: the coordinate of a clocked seg is its own.
+    const double unit = is_clocked(self, cell) ? nck_link_seg(self, cell->seg)->length : 1.0;
     const double scale = 1.0 + cell->v;
-    const int good = chain->cells == 0 || nck_fabs(cell->v - chain->v * unit) <= SEAM * scale;
+    const int begins = chain->rests && !(cell->s > 0.0) && is_clocked(self, cell);
+    const int good = chain->cells == 0 || begins
+                     || nck_fabs(cell->v - chain->v * unit) <= SEAM * scale;
     chain->cells++;
     chain->v = nck_cell_speed(cell, cell->duration) / unit;
-    if (cell->stop & NCK_STOP_REST) chain->v = 0.0;
+    chain->rests = (cell->stop & NCK_STOP_REST) != 0;
+    if (chain->rests) chain->v = 0.0;
     return good && chain->v >= -SEAM * scale;
 }
 
@@ -58,7 +62,7 @@ int nck_link_invariants(const nck_link_t *self) {
     int entered = 0;
     const uint32_t end = nck_link_end(self, &entered);
     const uint32_t waiting = (end - self->taken) & NCK_LINK_COUNT_MASK;
-    chain_t chain = {0, 0.0};
+    chain_t chain = {0, 0.0, 0};
     int good = are_within_capacities(self, waiting) && self->owner <= NCK_LINK_PREP
                && !self->broken;
     for (uint32_t i = 0; good && i < waiting; i++) {
