@@ -196,7 +196,8 @@ void serve_say_modes(serve_t *self, int at_tool) {
     static const uint8_t feeds[] = {94, 93, 95}; // nck_feed_mode_t
     enum { LAST = SYSTEMS - 1, MOTION = 0, MORE = 2, FIRST = 3, NUMBERS = 11 };
     nck_modal_t modal;
-    (at_tool ? nck_modal_executed : nck_modal)(self->nck, &modal);
+    if (at_tool) nck_modal_executed(self->nck, &modal);
+    else nck_modal(self->nck, &modal);
     if (at_tool && !self->idle) {
         const serve_seen_t *const seen = serve_seen(self);
         if (seen->pose.feed > 0.0) modal.feed = feed_of(seen, seen->pose.feed);
