@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the session says of itself.
-#include <math.h> // floor
+#include <math.h> // copysign fabs floor
 #include <stddef.h> // NULL
 #include <string.h> // strlen
 
@@ -50,8 +50,7 @@ static void say_number(const serve_t *self, int32_t value, uint32_t one) {
 // To the nearest whole number that fits.
 static int32_t nearest(double value) {
     const double most = 2e9;
-    const double kept = value < most ? value : most;
-    return (int32_t)floor((kept > -most ? kept : -most) + 0.5);
+    return (int32_t)floor((fabs(value) < most ? value : copysign(most, value)) + 0.5);
 }
 
 void serve_say_form(serve_t *self, uint32_t text, const int32_t *values) {
@@ -104,6 +103,11 @@ static double feed_of(const serve_seen_t *seen, double speed) {
     return speed * 60.0 / seen->pose.feed_scale;
 }
 
+// In mm, or in inches.
+static int32_t whole_of(double length, int inches) {
+    return nearest(inches ? length / 25.4 : length);
+}
+
 typedef enum state {
     SLEEP, HOME, ALARM, DOOR_RESTS, DOOR_MOVES, HOLD_RESTS, HOLD_MOVES, CHECK, JOG, IDLE, RUN
 } state_t;
@@ -145,7 +149,7 @@ static void say_numbers(serve_t *self, const serve_seen_t *seen, int named) {
         [ROOM] = (int32_t)(blocks < BLOCKS_MOST ? blocks : BLOCKS_MOST),
         [BYTES] = (int32_t)(SERVE_RING - 1 + self->in.tail - nck_fence_load(&self->in.head)),
         [LINE] = (int32_t)seen->pose.line,
-        [SPEED] = nearest(self->inches ? speed / 25.4 : speed),
+        [SPEED] = whole_of(speed, self->inches),
         [RPM] = (int32_t)(rpm * serve_spindle(self) / 100)};
     if (self->mask & 2) serve_say_form(self, SERVE_SAY_ROOM, values);
     if (values[LINE] != 0 && named) serve_say_form(self, SERVE_SAY_LINE, &values[LINE]);
@@ -204,12 +208,12 @@ void serve_say_modes(serve_t *self, int at_tool) {
         modal.spindle_rpm = self->tick.rpm;
     }
     const int32_t system = modal.work_system, more = system > LAST ? system - LAST : 0;
-    const double unit = modal.inch && modal.feed_mode != NCK_FEED_INVERSE ? 25.4 : 1.0;
+    const int inches = modal.inch && modal.feed_mode != NCK_FEED_INVERSE;
     const int32_t values[NUMBERS] = {
         [MOTION] = modal.motion < 0 ? 80 : modal.motion, 54 + system - more, [MORE] = more,
         [FIRST] = modal.plane, 21 - modal.inch, 90 + modal.incremental,
         feeds[modal.feed_mode], modal.spindle_on ? modal.spindle_code : 5,
-        (int32_t)modal.tool_next, nearest(modal.feed / unit), nearest(modal.spindle_rpm)};
+        (int32_t)modal.tool_next, whole_of(modal.feed, inches), nearest(modal.spindle_rpm)};
     uint32_t on = modal.coolant != 0 ? modal.coolant : 4;
     serve_say_form(self, SERVE_SAY_MODES, values);
     if (more > 0) serve_say_form(self, SERVE_SAY_TENTH, &values[MORE]);

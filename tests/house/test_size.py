@@ -132,7 +132,7 @@ def test_lean_builds_fit_into_their_memory(size_table, measured, cores, lean, pa
 
 # The protocol of grbl, without switches, for three axes
 
-PROTOCOL_MOST = {"m4f": 6_224, "m7": 6_144}
+PROTOCOL_MOST = {"m4f": 6_208, "m7": 6_144}
 SESSION_MOST = 576  # of serve_t
 
 
