@@ -6,26 +6,26 @@
 
 #include "serve/parts.h"
 
-enum { TENTHS = 10, WHOLE_MOST = 99999999, PROBES = 38 };
+enum { TENTHS = 10, WHOLE_MOST = 99999999, PROBES = 38, NO_POINT = 2 };
 
 static const char jog_prefix[] = "G1G94"; // in place of $J=
 
 const char *serve_number(const char *at, serve_number_t *out) {
     const char *from = at;
-    uint32_t unit = 0; // of the next digit behind the point, 0: none was there
+    uint32_t unit = NO_POINT; // of the last digit behind the point; 0: too small
     out->whole = out->thousandths = out->said = 0;
     out->negative = *from == '-';
     if (*from == '-' || *from == '+') from++;
     for (;; from++) {
         const uint32_t digit = (uint32_t)(unsigned char)*from - '0';
         if (digit > 9) {
-            if (*from != '.' || unit != 0) break;
+            if (*from != '.' || unit != NO_POINT) break;
             unit = 1000;
             continue;
         }
         out->said = 1;
-        if (unit == 0) out->whole = out->whole < WHOLE_MOST ? out->whole * 10 + digit : WHOLE_MOST;
-        else out->thousandths += digit * (unit /= 10);
+        if (unit != NO_POINT) out->thousandths += digit * (unit /= 10);
+        else out->whole = out->whole < WHOLE_MOST ? out->whole * 10 + digit : WHOLE_MOST;
     }
     return from;
 }
