@@ -278,7 +278,7 @@ _COLUMNS = {
     "line": "source line of the place, however many a piece has; 0 before the first",
     "block": "running number of the block",
     "kind": "what it does: `idle`, `rapid`, `line`, `arc`, `dwell`, `wait`, `spline`, `thread`",
-    "s_mm": "path so far; where two motions overlap at a corner, of both",
+    "s_mm": "path so far",
     "pos": "place of the axis in machine coordinates, as planned",
     "joint": "setpoint of the drive: whole nanometres, or nanodegrees",
     "vel_mm_s": "speed along the path, as the program means it",

@@ -319,9 +319,8 @@ class Checker:
             self._hold(~judged | (along <= most * (1 + SHARE) + more), what)
 
     def _progress(self, s, poses, way, clocked):
-        """Forward, within acceleration and jerk of the path, twice the jerk where two motions may
-        overlap; and no pose goes further than its coordinate, by as much as a smoothed path may be
-        longer."""
+        """Forward, within acceleration and jerk of the path; and no pose goes further than its
+        coordinate, by as much as a smoothed path may be longer."""
         limits, period = self._limits, self._limits.period_s
         track, noise = np.concatenate([self._s, s]), ROUNDING * np.abs(s).max()
         step = np.diff(track[2:])
@@ -329,14 +328,12 @@ class Checker:
         rounding = 4 * ROUNDING * np.abs(poses).max() + 2 * noise
         longer = STRETCH if (self.path.tolerance > 0).any() else 1 + SHARE
         self._hold(way <= step * longer + rounding, "further than its path coordinate")
-        motions = 1 + self.path.overlaps(s, FILTER_PERIODS * step)
-        bounds = (limits.path_a_max, limits.path_j_max * motions)
-        for order, most in enumerate(bounds, 1):
+        for order, most in enumerate((limits.path_a_max, limits.path_j_max), 1):
             unit = period ** (order + 1)
             values = np.abs(np.diff(track[2 - order :], n=order + 1)) / unit
             values = np.where(self._near(clocked), 0, values)
-            more = SUMS[order] * noise / unit + self._late_more(order, np.max(most))
-            what = f"path {ORDERS[order]} {values.max():.9g}, limit {np.min(most):g}"
+            more = SUMS[order] * noise / unit + self._late_more(order, most)
+            what = f"path {ORDERS[order]} {values.max():.9g}, limit {most:g}"
             self._hold(values <= most * (1 + SHARE) + more, what)
             name = ("path_a", "path_j")[order - 1]
             setattr(self, name, max(getattr(self, name), float((values / most).max())))

@@ -14,33 +14,7 @@ LINEAR = 0  # slope kind
 NEARER_MM = 1e-7  # a point this far from an arc may be nearer to another place of a helix
 NEWTON_STEPS = 3
 SHORT = 1e-4  # share of an arc over which derivatives are differences
-SHARP = 1e-6  # |Δu| from which on there is a corner
-OVERLAP = 1.125  # how much further than under whole limits two motions overlap: steps of a plan
-SHARED = np.array([0.5, 1.0])  # what is left of a jerk at a corner that two motions share
 PLANES = {17: (0, 1), 18: (2, 0), 19: (1, 2)}
-
-
-def _along(unit, axis_most, path_most):
-    """Return the limits of lines along themselves, from those of axes and that of the path."""
-    with np.errstate(divide="ignore", invalid="ignore"):
-        by_axis = np.where(unit != 0, axis_most / np.abs(unit), np.inf).min(axis=1)
-    return np.minimum(by_axis, path_most)
-
-
-def _time_from_rest(way, a, j):
-    """Return how long a way takes under a jerk, and an acceleration that it ends at [s]."""
-    rising = a / j
-    beyond = way - a * rising**2 / 6
-    late = (np.sqrt(rising**2 / 4 + 2 * np.maximum(beyond, 0) / a) - rising / 2) + rising
-    return np.where(beyond > 0, late, np.cbrt(6 * way / j))
-
-
-def _way_from_rest(time, a, j):
-    """Return the way that is gone in a time: the inverse of `_time_from_rest`."""
-    rising = a / j
-    late = time - rising
-    beyond = a * rising**2 / 6 + (rising / 2 + late / 2) * a * late
-    return np.where(late > 0, beyond, time**3 / 6 * np.minimum(j, a / np.maximum(time, 1e-300)))
 
 
 @dataclass
@@ -106,7 +80,6 @@ class Path:
         self.dwell_s = np.where(blocks["kind"] == DWELL, blocks["dwell_s"], 0.0)
         self.is_dwell = blocks["kind"] == DWELL
         self.line = blocks["line"]
-        self._overlap = self._overlaps(limits)
 
     def _bend(self, blocks):
         rows = np.arange(len(blocks))
@@ -180,44 +153,6 @@ class Path:
         if len(moves):
             stop[moves[-1]] = True
         return stop
-
-    def overlaps(self, s, more):
-        """Return where two motions may overlap: beside the corner of two lines within a tolerance.
-
-        more: as far as anything else mixes [path mm].
-        """
-        corners = np.flatnonzero(self._overlap > 0)
-        if not len(corners):
-            return np.zeros(len(s), bool)
-        places = self.begin[corners + 1]
-        near = np.searchsorted(places, s)
-        apart = np.full(len(s), np.inf)
-        for k in (np.maximum(near - 1, 0), np.minimum(near, len(places) - 1)):
-            apart = np.minimum(apart, np.abs(s - places[k]) - self._overlap[corners[k]])
-        return apart <= more
-
-    def _overlaps(self, limits):
-        """Return by the block that a corner ends how far from it two motions may overlap.
-
-        With δ·|Δu| ≤ 2 P either motion has δ to the corner, which may be moved to its outside by
-        P, when the other has. When one is at rest the other is as far as it comes in both their
-        times for δ: 8 δ under one jerk.
-        """
-        distance = np.zeros(len(self.length))
-        moves = np.flatnonzero(self.length > 0)
-        unit = (self.end - self.start)[moves] / self.length[moves, None]
-        turn = np.linalg.norm(np.diff(unit, axis=0), axis=1)
-        tolerance = np.minimum(self.tolerance[moves[:-1]], self.tolerance[moves[1:]])
-        lines = ~(self.is_arc[moves[:-1]] | self.is_arc[moves[1:]])
-        sharp = np.flatnonzero(lines & (turn > SHARP))
-        a, j = (_along(unit, *most) for most in ((limits.a_max, limits.path_a_max),
-                                                 (limits.j_max, limits.path_j_max)))  # fmt: skip
-        delta = 2 * tolerance[sharp] / turn[sharp]
-        either = sharp + np.arange(2)[:, None, None]  # the motions, shares of a jerk, corners
-        a, j = a[either], j[either] * SHARED[:, None]
-        ways = _way_from_rest(_time_from_rest(delta, a, j).sum(axis=0), a, j)
-        distance[moves[sharp]] = OVERLAP * ways.max(axis=(0, 1), initial=0.0)
-        return distance
 
     def point(self, block, q):
         """Return the points of blocks where the share q of each is done."""

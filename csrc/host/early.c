@@ -58,12 +58,11 @@ static nck_status_t push_seg(nck_host_early_t *self, const nck_seg_t *seg) {
     row->seq = seg->seq;
     row->block = seg->block;
     row->rapid = seg->rapid;
-    row->is_whole = self->overlaps || seg->overlap > 0.0 || seg->keeps == NCK_KEEP_CLOCK;
+    row->is_whole = seg->keeps == NCK_KEEP_CLOCK;
     if (row->is_whole) {
         batch->wholes[batch->whole_count] = *seg;
         batch->whole_count++;
     }
-    self->overlaps = seg->overlap > 0.0;
     batch->seg_count++;
     note(batch, NCK_HOST_BATCH_SEG);
     return NCK_OK;

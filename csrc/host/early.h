@@ -66,7 +66,6 @@ typedef struct nck_host_early {
     const nck_block_t *blocks; size_t block_count, block_used; // in work
     nck_host_batch_t *batch; // in work
     nck_seg_t seg;         // in work
-    uint32_t overlaps;     // 1: the path stops at its end, and may go on before
     double tangent[NCK_AXIS_MAX]; // at its end
     uint32_t block_seq;    // blocks so far
     uint32_t ended;        // 1: smooth has given all

@@ -5,8 +5,6 @@
 //
 // Moves are looked at from the setpoint's own one outwards, as far along the path as the nearest
 // point may be. Fixed memory: moves that are further away than half of the ring do not count.
-// Where two motions overlap at a corner no seg tells how far the run misses it: its distance from
-// the chords between setpoints is measured here, too.
 #ifndef NCK_HOST_PATH_ERROR_H
 #define NCK_HOST_PATH_ERROR_H
 
@@ -15,14 +13,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-// A corner of the program beside which two motions overlap.
-typedef struct nck_host_corner {
-    double point[NCK_AXIS_MAX]; // [mm, deg]
-    double tolerance;           // in force there [mm]
-    double apart;               // the run's distance from it so far [path mm]
-    double left;                // of the first motion; 0: they do not overlap now [path mm]
-} nck_host_corner_t;
 
 // All of it. Rows belong to the caller.
 typedef struct nck_host_path_error {
@@ -33,9 +23,6 @@ typedef struct nck_host_path_error {
     uint32_t all_read;          // 1: no move follows
     uint32_t reserved;
     double largest;             // so far [path mm]
-    double missed;              // of corners where motions overlap, as a share of the tolerance
-    nck_host_corner_t corner;   // where they do so now
-    double before[NCK_AXIS_MAX]; // the setpoint before [mm, deg]
 } nck_host_path_error_t;
 
 // Begin; the ring is set before: moves, move_max. Cost: constant. Context: any.

@@ -64,7 +64,6 @@ static void add_time(nck_host_totals_t *totals, const nck_cell_t *cell, int rapi
 double nck_host_totals_add(nck_host_totals_t *totals, double *since_stop_s, const nck_cell_t *cell,
                            int rapid, double period_s, uint32_t settle) {
     totals->cells++;
-    if (cell->stop & NCK_STOP_RIDES) return 0.0; // in the time of what it rides beside
     add_time(totals, cell, rapid, cell->duration);
     *since_stop_s += cell->duration;
     if (!(cell->stop & NCK_STOP_REST)) {
@@ -185,7 +184,6 @@ static void take_seg(nck_host_plan_t *plan, const nck_host_batch_seg_t *row) {
     } else {
         seg->s_begin = row->why.s_begin;
         seg->length = row->length_mm - row->why.s_begin;
-        seg->overlap = 0.0;
         seg->keeps = NCK_KEEP_NOTHING;
     }
     seg->line = row->why.line;

@@ -42,7 +42,8 @@ void nck_host_seg_point(const nck_seg_t *seg, double f, double *point_out) {
     if (seg->kind == NCK_SEG_ARC) turn_to(seg, f, point_out);
 }
 
-double nck_host_chord_distance(const double *from, const double *to, const double *point) {
+// How far a point is from the chord between two others [path mm].
+static double chord_distance(const double *from, const double *to, const double *point) {
     double square = 0.0;
     double ahead = 0.0;
     double on[NCK_AXIS_MAX];
@@ -94,7 +95,7 @@ static double distance_about(const nck_seg_t *seg, double share, const double *p
         const double f = share + (2.0 * (double)k / (double)PARTS - 1.0) / (double)PARTS;
         nck_host_seg_point(seg, nck_min(1.0, nck_max(0.0, f)), ends[k % 2]);
         if (k == 0) continue;
-        const double apart = nck_host_chord_distance(ends[(k + 1) % 2], ends[k % 2], point);
+        const double apart = chord_distance(ends[(k + 1) % 2], ends[k % 2], point);
         least = k == 1 ? apart : nck_min(least, apart);
     }
     return least;
@@ -102,7 +103,7 @@ static double distance_about(const nck_seg_t *seg, double share, const double *p
 
 double nck_host_seg_distance(const nck_seg_t *seg, const double *point, double most) {
     if (seg->kind != NCK_SEG_SPLINE && seg->kind != NCK_SEG_ARC) {
-        return nck_host_chord_distance(seg->start, seg->end, point);
+        return chord_distance(seg->start, seg->end, point);
     }
     if (nck_host_course_apart(seg->start, point) - reach_of(seg) >= most) return most;
     return distance_about(seg, nearest_share(seg, point), point);

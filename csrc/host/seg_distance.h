@@ -13,9 +13,6 @@ extern "C" {
 // Cost: constant. Context: any.
 void nck_host_seg_point(const nck_seg_t *seg, double f, double *point_out);
 
-// How far a point is from the chord between two others [path mm]. Cost: constant. Context: any.
-double nck_host_chord_distance(const double *from, const double *to, const double *point);
-
 // How far a point [mm, deg] is from a seg [path mm], if that is less than `most`; else `most`, or
 // more. Of a curve: searched on a grid of 32 parts, then from its best point on to either side by
 // chords of a sixteenth of a part. Cost: constant. Context: any.

@@ -35,9 +35,8 @@ static void take_cell(nck_host_spindle_t *self, const nck_cell_t *cell) {
     nck_link_tail_begin(&self->link);
     nck_link_push_cell(&self->link, cell);
     if (nck_link_publish(&self->link) != NCK_OK) self->broken = 1;
-    const int rides = (cell->stop & NCK_STOP_RIDES) != 0;
-    if (!rides) self->known_s += cell->duration;
-    self->rests = !rides && (cell->stop & NCK_STOP_REST);
+    self->known_s += cell->duration;
+    self->rests = (cell->stop & NCK_STOP_REST) != 0;
 }
 
 // 1 if the next tick needs no cell that is not known. Two periods: one is the tick's, one covers

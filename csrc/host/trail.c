@@ -50,9 +50,8 @@ static void close_stretch(nck_host_trail_t *self) {
     self->is_open = 0;
 }
 
-// What rides takes no time of its own.
-static void pass_time(nck_host_trail_t *self, const nck_cell_t *cell, double time) {
-    nck_host_cause_sum(&self->t, cell->stop & NCK_STOP_RIDES ? 0.0 : time);
+static void pass_time(nck_host_trail_t *self, double time) {
+    nck_host_cause_sum(&self->t, time);
     self->open.t = self->t.sum + self->t.rest;
     self->duration += time;
 }
@@ -160,7 +159,7 @@ static void step(nck_host_trail_t *self, const nck_host_stride_t *stretch, doubl
     self->length += length;
     self->open.v = v;
     put_place(&self->open, stretch->seg, stretch->s + s);
-    pass_time(self, cell, time);
+    pass_time(self, time);
 }
 
 void nck_host_trail_move(nck_host_trail_t *self, const nck_host_stride_t *stretch) {
@@ -188,7 +187,7 @@ void nck_host_trail_rest(nck_host_trail_t *self, const nck_host_stride_t *stretc
     begin(self, stretch, 0.0);
     self->open.v = 0.0;
     self->open.rests = 1;
-    pass_time(self, stretch->cell, time);
+    pass_time(self, time);
     give(self, &self->open);
 }
 

@@ -288,21 +288,12 @@ static void follow_line(nck_host_why_t *self, const nck_cell_t *cell, double s_c
     nck_host_trail_move(&self->trail, &stretch);
 }
 
-// What rides takes no time of its own: the time beside it is shared by half, for the ramps of both
-// motions are alike.
-static void share_way(nck_host_why_t *self, const nck_cell_t *cell, uint32_t line, double time) {
-    const int rides = cell->stop & NCK_STOP_RIDES;
-    const double other = rides ? -0.5 * time : nck_min(time, self->lent_s);
-    self->lent_s -= other;
-    share(self, cell, line, rides ? -other : time - other);
-}
-
 // A stretch of a cell that belongs to one line.
 static void take_line(nck_host_why_t *self, const nck_cell_t *cell, double s_cell, uint32_t line,
                       double from, double to) {
     follow_line(self, cell, s_cell, line, from, to);
     self->line = line;
-    share_way(self, cell, line, to - from);
+    share(self, cell, line, to - from);
 }
 
 // The stretch of a cell from one time to another, line by line. s_cell: path before the cell.
@@ -386,10 +377,9 @@ static void watch_slow(nck_host_why_t *self, const nck_cell_t *cell, double t, d
 }
 
 // A stretch of the piece in work: its length, its time, when and how fast the path is at its end.
-static void pass(nck_host_why_t *self, const nck_cell_t *cell, double s, double lasts, double to) {
+static void pass(nck_host_why_t *self, const nck_cell_t *cell, double s, double time, double to) {
     const double v = speed_at(self, cell, to);
     const nck_host_why_piece_t *const piece = &self->piece;
-    const double time = cell->stop & NCK_STOP_RIDES ? 0.0 : lasts; // in that of what is beside it
     const int may_pace = piece->v_feed > 0.0 && piece->v_cap > 0.0;
     const double ideal = may_pace ? s / piece->v_feed : time;
     nck_host_cause_sum(piece->rapid ? &self->rapid_s : &self->cut_s, ideal);
@@ -425,10 +415,6 @@ static void follow_rest(nck_host_why_t *self, const nck_cell_t *cell, double tim
 // Behind a cell: the time until the next begins.
 static void end_cell(nck_host_why_t *self, const nck_cell_t *cell, double extra_s) {
     if (!(cell->stop & NCK_STOP_REST)) return;
-    if (cell->stop & NCK_STOP_RIDES) {
-        self->v = 0.0;
-        return;
-    }
     share(self, cell, rests_on(self, cell), extra_s);
     add_limit(self, cell->limit, extra_s);
     follow_rest(self, cell, extra_s);

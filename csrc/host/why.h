@@ -80,7 +80,6 @@ typedef struct nck_host_why {
     uint32_t told;              // pieces that the kernel has dropped
     uint32_t taken;             // pieces so far, the one in work among them
     uint32_t line;              // source line of the stretch before
-    double lent_s;              // of what comes, that belongs to what rides beside it
     const nck_t *nck;           // has the pieces behind them
     const nck_link_t *link;     // has the segs
     double v;                   // speed so far [path mm/s]

@@ -19,7 +19,6 @@ import numpy as np
 
 from pycnc.bench import bounds_axis, bounds_tube, butterfly, corpus, programs
 from pycnc.bench.bounds_solve import Limits, Seen, stretched
-from pycnc.kernel.records import enum
 from pycnc.planning.plan import Plan
 from pycnc.program import Program
 from pycnc.report.trace import Trace
@@ -100,9 +99,7 @@ CASES = (
 
 def bench_bounds_rows(cases=CASES, step_s=STEP_S):
     """Return rows {program, P, moves, ours_s, ours_peak, ours_miss, scalar_s, axis_s, tube_s,
-    ours_over_axis, ours_over_tube, optimal_s, optimal_over_tube, step, tube_miss, note}; scalar_s,
-    axis_s and ours_over_axis are None where two motions overlap at a corner: there is no one path
-    to be fastest along.
+    ours_over_axis, ours_over_tube, optimal_s, optimal_over_tube, step, tube_miss, note}.
 
     Raises
     ------
@@ -127,24 +124,22 @@ def _row(name, made, tolerance, step_s):
     tube_s, tube_miss = stretched(found[1], limits), miss(found[1], points) / tolerance
     row |= {"moves": len(points) - 1, "ours_s": ours_s, "ours_peak": _peak(facts),
             "ours_miss": facts["path_error_mm"] / tolerance}  # fmt: skip
-    row |= {"scalar_s": None, "axis_s": None, "tube_s": tube_s, "ours_over_axis": None}
-    step = 1 - found[1].time_s / found[0].time_s
-    if not (plan.cells["stop"] & enum("nck_stop_t").RIDES).any():
-        path = bounds_axis.Path(plan.segs[plan.segs["length"] > 0], points.shape[1])
-        along = [bounds_axis.fastest(path, limits, seen, step_s / k, caps)
-                 for k, caps in ((2, planned_caps(plan)), (2, None), (4, None))]  # fmt: skip
-        axis_s = stretched(along[2], limits)
-        step = max(step, 1 - along[2].time_s / along[1].time_s)
-        row |= {"scalar_s": along[0].time_s, "axis_s": axis_s, "ours_over_axis": ours_s / axis_s}
-        found += along
-    bounds_s = [row[name] for name in ("axis_s", "tube_s") if row[name]]
+    path = bounds_axis.Path(plan.segs[plan.segs["length"] > 0], points.shape[1])
+    along = [bounds_axis.fastest(path, limits, seen, step_s / k, caps)
+             for k, caps in ((2, planned_caps(plan)), (2, None), (4, None))]  # fmt: skip
+    axis_s = stretched(along[2], limits)
+    step = max(1 - both[1].time_s / both[0].time_s for both in (found, along[1:]))
     return row | {
+        "scalar_s": along[0].time_s,
+        "axis_s": axis_s,
+        "tube_s": tube_s,
+        "ours_over_axis": ours_s / axis_s,
         "ours_over_tube": ours_s / tube_s,
         "optimal_s": optimal_s,
         "optimal_over_tube": optimal_s / tube_s,
         "step": step,
         "tube_miss": tube_miss,
-        "note": _note(found, ours_s, bounds_s),
+        "note": _note(found + along, ours_s, [axis_s, tube_s]),
     }
 
 

@@ -35,17 +35,17 @@ def limit_names(machine):
 
 
 class Derivatives:
-    """Speed, acceleration and jerk of every axis and of the path, tick by tick; where two motions
-    overlap, of the path the mean of both. On a clocked path the coordinate is that of the program:
-    its speed is nobody's. Where the path has limits of its own, what of the axes' acceleration and
-    jerk lies along the last steps stands there, else nothing."""
+    """Speed, acceleration and jerk of every axis and of the path, tick by tick. On a clocked path
+    the coordinate is that of the program: its speed is nobody's. Where the path has limits of its
+    own, what of the axes' acceleration and jerk lies along the last steps stands there, else
+    nothing."""
 
     def __init__(self, machine):
         self._axes = [AXES.index(letter) for letter in machine.axes]
         counts = counts_per_unit(machine.record["axis"]["rotary"])
         start = (machine.record["start_nm"] / counts)[self._axes]
         self._tail = np.tile(np.append(start, 0.0), (3, 1))  # at rest before the first tick
-        self._flags = np.zeros((3, 2), bool)  # two motions overlap; on a clocked path
+        self._flags = np.zeros(3, bool)  # on a clocked path
         self._clocks = machine.settings.path.slope == "optimal"
         self._period, self._limited = machine.period_s, machine.limits_path
 
@@ -60,15 +60,13 @@ class Derivatives:
             return
         now = np.column_stack([rows["pose"]["axis"][:, self._axes], rows["pose"]["s"]])
         track = np.concatenate([self._tail, now])
-        splines = self._clocks & (rows["pose"]["kind"] == _SEGS.SPLINE)
-        told = np.column_stack([rows["pose"]["left"] > 0, splines])
+        told = self._clocks & (rows["pose"]["kind"] == _SEGS.SPLINE)
         flags = all_flags = np.concatenate([self._flags, told])
         self._tail, self._flags, step = track[-3:], all_flags[-3:], track
         for order in range(1, 4):
             step, flags = np.diff(step, axis=0), flags[1:] | flags[:-1]
             rate = step[3 - order :] / self._period**order
-            rate[flags[3 - order :, 0], -1] /= 2  # s is the sum of two motions there
-            clocked = flags[3 - order :, 1]
+            clocked = flags[3 - order :]
             rate[clocked, -1] = 0
             if self._limited and order > 1 and clocked.any():
                 chord = track[3:, :-1] - track[3 - order : -order, :-1]

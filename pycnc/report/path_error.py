@@ -5,8 +5,7 @@ From the run to the program (csrc/host/path_error.h): the distance of every setp
 programmed moves. From the program to the run (csrc/host/path_miss.h): the distance of every corner
 of the program, and of points on its arcs, from the path that the kernel made, in closed form: ticks
 do not come into it, so nothing is lost between them. The second way sees a tip that is cut off,
-where the two lines of a spike are nearly one. Where two motions overlap at a corner, the chords
-between setpoints tell how near the run comes to it.
+where the two lines of a spike are nearly one.
 
 Both work through the program in fixed memory. What is further away along the path than their rings
 reach does not count: half of `_MOVES` moves, a quarter of `_SEGS` segs.
@@ -46,7 +45,7 @@ class PathError:
     def missed(self):
         """How far the path misses a point of the program at most, as a share of the tolerance in
         force there; 0 where there is none."""
-        return max(self._error.state.missed, self._miss.state.missed)
+        return self._miss.state.missed
 
     def add(self, rows):
         """Measure the next rows of a run (dtype ``sim_row_t``) against the program."""

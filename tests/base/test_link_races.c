@@ -31,7 +31,7 @@ static inline int nck_fence_exchange(uint32_t *word, uint32_t expected, uint32_t
 
 #include "nck/base/link.c"
 
-enum { PLAN = 5, RIDING = 2, STEPS = 200, GAPS = 40, TAKES = 7 };
+enum { PLAN = 5, STEPS = 200, GAPS = 40, TAKES = 7 };
 #define DURATION 0.25 // sums of it are exact
 
 static nck_link_t link_;
@@ -42,18 +42,6 @@ static uint32_t step;       // of prep
 static uint32_t place;      // of the cell that the tick takes next
 static uint32_t leaps;      // cells out of order
 static uint32_t void_plans, void_advances, rests; // what the races led to
-static uint32_t joins, void_joins;                // the same
-
-// All of them at once: in order, too.
-static void take_riders(void)
-{
-    nck_cell_t cell;
-    nck_link_ride(&link_);
-    while (nck_link_take_rider(&link_, &cell) == NCK_OK) {
-        leaps += cell.seg != place;
-        place = cell.seg + 1;
-    }
-}
 
 static void take_cells(void)
 {
@@ -63,7 +51,6 @@ static void take_cells(void)
         if (nck_link_take(&link_, &cell, &from_tail) != NCK_OK) return;
         leaps += cell.seg != place;
         place = cell.seg + 1;
-        if (cell.stop & NCK_STOP_RIDES) take_riders();
         if (!from_tail || !cell.stop) continue;
         nck_link_tail_rest(&link_);
         rests++;
@@ -107,34 +94,11 @@ static int saw_one_state(uint32_t end, int entered)
     return nck_link_end(&link_, &entered_now) == end && entered_now == entered;
 }
 
-// What is left of the published plan and another one that begins before its rest. Returns 0 if it
-// is too late for that.
-static int join(void)
-{
-    int entered = 0;
-    uint32_t first = 0;
-    const uint32_t end = nck_link_end(&link_, &entered);
-    const nck_cell_t *last = NULL;
-    uint32_t left = 0;
-    for (; nck_link_tail_cell(&link_, (end + left) & NCK_LINK_COUNT_MASK); left++) {
-        last = nck_link_tail_cell(&link_, (end + left) & NCK_LINK_COUNT_MASK);
-    }
-    if (entered || left <= RIDING) return 0;
-    build(last->seg + 1);
-    if (link_.tail_entered || !saw_one_state(end, 0)) return 0;
-    const nck_status_t joined =
-        nck_link_join(&link_, (double)RIDING * DURATION, DURATION, 1 + step % 3, &first);
-    joins += joined == NCK_OK;
-    void_joins += joined == NCK_E_STATE;
-    return 1;
-}
-
 static void prepare(void)
 {
     int entered = 0;
     const uint32_t end = nck_link_end(&link_, &entered);
     const uint32_t begin = next_place(end, entered);
-    if (step % 3 == 2 && join()) step++;
     if (!saw_one_state(end, entered)) return;
     build(begin);
     if (link_.tail_entered != (uint32_t)entered) return;
@@ -145,16 +109,12 @@ static void prepare(void)
     void_advances += advanced == NCK_E_STATE;
 }
 
-// What waits lasts as long as its cells, of which those that ride take no time.
+// What waits lasts as long as its cells.
 static int lead_is_right(void)
 {
     void (*const side)(void) = other;
     other = NULL;
-    uint32_t count = 0;
-    for (uint32_t n = 0; n < nck_link_waiting(&link_); n++) {
-        count += !(link_.cell[(link_.taken + n) & (NCK_CELL_MAX - 1)].stop & NCK_STOP_RIDES);
-    }
-    const int good = nck_link_lead(&link_) == DURATION * count;
+    const int good = nck_link_lead(&link_) == DURATION * nck_link_waiting(&link_);
     other = side;
     return good;
 }
@@ -170,7 +130,7 @@ static void begin(void (*side)(void))
 
 static void path_has_no_gap_when_the_tick_comes_between(check_t *check)
 {
-    void_plans = void_advances = rests = joins = void_joins = 0;
+    void_plans = void_advances = rests = 0;
     for (gap = 1; gap <= GAPS; gap++) {
         for (takes = 1; takes <= TAKES; takes++) {
             begin(take_cells);
@@ -183,13 +143,12 @@ static void path_has_no_gap_when_the_tick_comes_between(check_t *check)
         }
     }
     CHECK(check, void_plans > 100 && void_advances > 100 && rests > 100);
-    CHECK(check, joins > 100 && void_joins > 20);
 }
 
 // Two processors: prep may come between the tick's accesses as well.
 static void path_has_no_gap_when_prep_comes_between(check_t *check)
 {
-    rests = joins = 0;
+    rests = 0;
     for (gap = 1; gap <= GAPS; gap++) {
         for (takes = 1; takes <= TAKES; takes++) {
             begin(prepare);
@@ -201,7 +160,7 @@ static void path_has_no_gap_when_prep_comes_between(check_t *check)
             CHECK(check, place > 0);
         }
     }
-    CHECK(check, rests > 100 && joins > 100);
+    CHECK(check, rests > 100);
 }
 
 static void publish_a_tail_alone(void)

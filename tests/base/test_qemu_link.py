@@ -49,10 +49,7 @@ class Fault:
 OUTPUT_WRITE = "    self->output[self->output_head & (NCK_OUTPUT_MAX - 1)] = *output;\n"
 OUTPUT_PUBLISH = "    nck_fence_store(&self->output_head, self->output_head + 1);\n"
 CELL_READ = "    *cell_out = self->cell[self->taken & (NCK_CELL_MAX - 1)];\n"
-CELL_FREE = (
-    "    nck_fence_store(&self->taken, next);\n"
-    "    if (self->riders == 0) nck_fence_store(&self->kept, next);\n"
-)
+CELL_FREE = "    nck_fence_store(&self->taken, (self->taken + 1) & NCK_LINK_COUNT_MASK);\n"
 EXCHANGE = (
     "    return __atomic_compare_exchange_n(word, &expected, desired, 0, __ATOMIC_ACQ_REL,\n"
     "                                       __ATOMIC_ACQUIRE);\n"

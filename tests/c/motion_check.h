@@ -9,7 +9,6 @@
 #include <string.h> // memset strlen
 
 #include "check.h"
-#include "nck/base/path.h" // nck_path_tangent
 #include "nck/nck_tools.h"       // nck_t
 
 enum { MOTION_TEXT = 400000, MOTION_SEGS = 8192, MOTION_OUTPUTS = 512, MOTION_MOVES = 12,
@@ -26,7 +25,6 @@ typedef struct motion_script {
 typedef struct motion_peak {
     double v, a, j;       // of the path coordinate [mm/s, mm/s², mm/s³]; v not in rapids
     double v_axis, a_axis; // of the axes, over their limits
-    double j_axis;        // the same, while two motions overlap
     double back;          // path run backwards [mm]
     double off;           // distance from the seg that the pose names [mm]
     double s;             // largest coordinate [mm]
@@ -48,11 +46,7 @@ typedef struct motion {
     uint64_t ticks, starved, tick_most;
     uint64_t hash;
     double s[4];           // of the last ticks
-    double axis[4][NCK_AXIS_MAX];
-    uint32_t apart;        // ticks since two motions overlapped
-    uint64_t beside;       // ticks in which they did
-    uint32_t at;           // seg of the last tick
-    uint32_t past_corner;  // ticks since a corner of the exact path, which keeps no jerk of an axis
+    double axis[3][NCK_AXIS_MAX];
     nck_pose_t pose;
     nck_axes_t axes;
     motion_peak_t peak;
@@ -142,10 +136,6 @@ static inline nck_status_t motion_start(motion_t *self)
     self->tick_most = 800000;
     memset(self->s, 0, sizeof self->s);
     memset(self->axis, 0, sizeof self->axis);
-    self->apart = 4;
-    self->past_corner = 4;
-    self->at = 0;
-    self->beside = 0;
     memset(&self->peak, 0, sizeof self->peak);
     return nck_init(&self->nck, &self->machine, &hooks);
 }
@@ -188,31 +178,11 @@ static inline double motion_off(const nck_seg_t *seg, double s, const double *ax
     return sqrt(sum);
 }
 
-// Distance from where the seg of the pose is, and what is left of the one before. Beside a motion
-// along anything but a line: 0.
-static inline double motion_off_both(const motion_t *self, const nck_seg_t *seg)
-{
-    const nck_pose_t *const pose = &self->pose;
-    const double s = pose->s + pose->left - seg->s_begin;
-    double axis[NCK_AXIS_MAX];
-    memcpy(axis, pose->axis, sizeof axis);
-    if (pose->left > 0.0) {
-        const nck_seg_t *before = seg - 1;
-        while (before > self->seg && !(before->overlap > 0.0)) before--;
-        const double share = pose->left / before->length;
-        if (before->kind != NCK_SEG_LINE || pose->left > before->length) return 0.0;
-        for (int x = 0; x < NCK_AXIS_MAX; x++) {
-            axis[x] += (before->end[x] - before->start[x]) * share;
-        }
-    }
-    return motion_off(seg, s, axis);
-}
-
 static inline void motion_judge_axes(motion_t *self)
 {
     const double period = self->machine.period_s;
-    double (*const p)[NCK_AXIS_MAX] = self->axis + 1;
-    memmove(self->axis, self->axis + 1, 3 * sizeof p[0]);
+    double (*const p)[NCK_AXIS_MAX] = self->axis;
+    memmove(p, p + 1, 2 * sizeof p[0]);
     memcpy(p[2], self->pose.axis, sizeof p[2]);
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const nck_axis_t *const limit = &self->machine.axis[x];
@@ -221,30 +191,8 @@ static inline void motion_judge_axes(motion_t *self)
         const double a = fabs(p[2][x] - 2.0 * p[1][x] + p[0][x]) / (period * period);
         self->peak.v_axis = fmax(self->peak.v_axis, v / limit->v_max);
         self->peak.a_axis = fmax(self->peak.a_axis, a / limit->a_max);
-        const double change = p[2][x] - 3.0 * p[1][x] + 3.0 * p[0][x] - self->axis[0][x];
-        const double rounding = 8.0 * 2.2204460492503131e-16 * fmax(1e-9, fabs(p[2][x]));
-        const double j = (fabs(change) - rounding) / (period * period * period);
         self->hash = (self->hash ^ (uint64_t)self->axes.joint_nm[x]) * 1099511628211u; // FNV-1a
-        if (self->apart > 0 || self->past_corner <= 3) continue;
-        self->peak.j_axis = fmax(self->peak.j_axis, j / limit->j_max);
     }
-}
-
-// 1 if the path goes on from one of these segs to the next round a corner, without a rest there.
-static inline int motion_turns(const motion_t *self, uint32_t from, uint32_t to)
-{
-    for (uint32_t k = from; k < to && k + 1 < self->segs; k++) {
-        const nck_seg_t *const in = &self->seg[k];
-        const nck_seg_t *const out = &self->seg[k + 1];
-        double u[2][NCK_AXIS_MAX];
-        if (in->stop || in->kind > NCK_SEG_SPLINE || out->kind > NCK_SEG_SPLINE) continue;
-        nck_path_tangent(in, in->length, u[0]);
-        nck_path_tangent(out, 0.0, u[1]);
-        for (int x = 0; x < NCK_AXIS_MAX; x++) {
-            if (fabs(u[1][x] - u[0][x]) > 1e-6) return 1;
-        }
-    }
-    return 0;
 }
 
 static inline void motion_judge(motion_t *self)
@@ -261,21 +209,15 @@ static inline void motion_judge(motion_t *self)
     }
     self->was_rapid = pose->rapid;
     peak->a = fmax(peak->a, (fabs(s[3] - 2.0 * s[2] + s[1]) - rounding) / (period * period));
-    self->apart = pose->left > 0.0 ? 0 : self->apart + 1;
-    self->beside += pose->left > 0.0;
-    self->past_corner = motion_turns(self, self->at, pose->seg) ? 0 : self->past_corner + 1;
-    self->at = pose->seg;
-    if (self->apart > 3) { // else s is that of two motions
-        peak->j = fmax(peak->j, (fabs(s[3] - 3.0 * s[2] + 3.0 * s[1] - s[0]) - rounding)
-                                    / (period * period * period));
-    }
+    peak->j = fmax(peak->j, (fabs(s[3] - 3.0 * s[2] + 3.0 * s[1] - s[0]) - rounding)
+                                / (period * period * period));
     peak->back = fmax(peak->back, s[2] - s[3] - rounding);
     peak->s = fmax(peak->s, s[3]);
     motion_judge_axes(self);
     if (pose->line == 0 || pose->seg >= MOTION_SEGS) return;
     const nck_seg_t *const seg = &self->seg[pose->seg];
     if (seg->kind <= NCK_SEG_ARC) {
-        peak->off = fmax(peak->off, motion_off_both(self, seg));
+        peak->off = fmax(peak->off, motion_off(seg, pose->s - seg->s_begin, pose->axis));
     }
 }
 
@@ -321,11 +263,10 @@ static inline int motion_holds(check_t *check, const motion_t *self, const char 
     const double most = self->braked ? 1.05 : 1.0 + 1e-6;
     const int good = peak->v <= self->machine.path.feed_max * (1.0 + 1e-9) && a <= most
                      && j <= most && peak->v_axis <= 1.0 + 1e-6
-                     && peak->a_axis <= most && peak->j_axis <= most
-                     && peak->back <= 0.0 && peak->off <= 1e-9;
+                     && peak->a_axis <= most && peak->back <= 0.0 && peak->off <= 1e-9;
     if (!CHECK(check, good)) {
-        printf("    %s: v %.6g a %.7f j %.7f axes v %.7f a %.7f j %.7f back %.3g off %.3g\n", what,
-               peak->v, a, j, peak->v_axis, peak->a_axis, peak->j_axis, peak->back, peak->off);
+        printf("    %s: v %.6g a %.7f j %.7f axes v %.7f a %.7f back %.3g off %.3g\n", what,
+               peak->v, a, j, peak->v_axis, peak->a_axis, peak->back, peak->off);
     }
     return good;
 }

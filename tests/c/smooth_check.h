@@ -43,7 +43,7 @@ static inline double random_between(double low, double high)
 static inline void begin(void)
 {
     nck_machine_default(&machine);
-    machine.slope = NCK_SLOPE_JERK; // stops may overlap
+    machine.slope = NCK_SLOPE_JERK;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         machine.axis[x] = machine.axis[0];
         machine.axis[x].rotary = x >= NCK_AXIS_A && x <= NCK_AXIS_C;
@@ -105,7 +105,7 @@ static inline int is_bounded(void)
 // a dwell has of its own lies where a spline has its inner points.
 static inline int is_sound(const nck_seg_t *seg)
 {
-    double sum = seg->length + seg->feed + seg->overlap;
+    double sum = seg->length + seg->feed;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         sum += seg->start[x] + seg->end[x] + seg->shape.inner[0][x] + seg->shape.inner[1][x];
     }
@@ -194,37 +194,6 @@ static inline double distance_from_line(const double *p, const nck_seg_t *line)
     return distance(p, q);
 }
 
-// How far motions that overlap at a stop are off its corner, as a share of the smaller tolerance
-// beside it: where the first would rest, and where both have as far to the corner. Nothing overlaps
-// but at a stop. A spline beside it may begin another way than its line: what overlaps there is
-// room 5's choice.
-static inline double worst_overlap(void)
-{
-    double worst = 0.0;
-    int at = 0;
-    for (int k = 0; k + 1 < path.segs; k++) {
-        const nck_seg_t *const in = &path.seg[k];
-        const nck_seg_t *const out = &path.seg[k + 1];
-        const double tolerance =
-            fmin(block[in->block].tolerance_mm, block[out->block].tolerance_mm);
-        double before[NCK_AXIS_MAX];
-        double behind[NCK_AXIS_MAX];
-        double corner[NCK_AXIS_MAX];
-        if (!(in->overlap > 0.0)) continue;
-        if (!in->stop) return 1e9;
-        if (in->kind != NCK_SEG_LINE || out->kind != NCK_SEG_LINE) continue;
-        nck_path_tangent(in, in->length, before);
-        nck_path_tangent(out, 0.0, behind);
-        programmed(out->s_begin, &at, corner);
-        worst = fmax(worst, distance(in->end, corner) / tolerance);
-        for (int x = 0; x < NCK_AXIS_MAX; x++) {
-            before[x] = in->end[x] + in->overlap * (behind[x] - before[x]);
-        }
-        worst = fmax(worst, distance(before, corner) / tolerance);
-    }
-    return worst;
-}
-
 // Largest share of the tolerance, sampled densely.
 static inline double worst_share(void)
 {
@@ -287,7 +256,7 @@ static inline void hold_promises(check_t *check, const char *name)
         printf("    %s: %d segs, %u kinks\n", name, path.segs, smooth.run.kinks);
         return;
     }
-    const double share = fmax(worst_share(), worst_overlap());
+    const double share = worst_share();
     const double jump = worst_jump();
     if (!CHECK(check, share <= 1.0 && jump <= 1e-10) || !CHECK(check, is_chained())) {
         printf("    %s: share %.9f, jump %.3g\n", name, share, jump);

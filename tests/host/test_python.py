@@ -260,16 +260,6 @@ def _path_peaks(machine, s, **poses):
     return peaks.result()["path"]
 
 
-def test_two_motions_share_the_peaks_of_the_path_where_they_overlap():
-    machine = Machine.load("mill3")
-    s = 100 * (np.arange(30) * 1e-3) ** 2
-    alone = _path_peaks(machine, s)
-    assert alone["a"] == pytest.approx(200 / machine.record["path"]["a_max"], rel=1e-6)
-    assert _path_peaks(machine, s, left=1.0)["a"] == pytest.approx(alone["a"] / 2, rel=1e-9)
-    behind = np.where(np.arange(30) < 12, 1.0, 0.0)  # one of two ticks is enough
-    assert _path_peaks(machine, s, left=behind)["a"] == pytest.approx(alone["a"], rel=1e-6)
-
-
 def test_the_coordinate_of_a_clocked_path_has_no_peaks():
     machine, s = Machine.load("mill3"), np.arange(30.0) ** 2
     spline = int(enum("nck_seg_kind_t").SPLINE)

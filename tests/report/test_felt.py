@@ -12,7 +12,7 @@ from pycnc.report import felt, page
 
 SLOPES = ("jerk", "linear", "optimal")
 DRAWN = 0.5e-3 + 1e-6  # of the limit: half a step of what the page tells
-OVERLAP = (
+STOPS = (
     "G21 G90 G61.1\nG1 X10 F3000\nY10\nM2\n",
     "G21 G90 G64 P0.5\nG1 X10 F6000\nY10\nX0 Y0\nM2\n",
     "G21 G90 G64\nG0 X10\nG0 Y10\nG1 X0 F4000\nG4 P0.1\nG1 Y0\nM2\n",
@@ -63,13 +63,13 @@ def test_the_peaks_that_are_drawn_are_those_of_the_run(case, slope):
 
 
 @pytest.mark.parametrize("slope", SLOPES)
-@pytest.mark.parametrize("text", OVERLAP)
-def test_where_two_motions_overlap_at_a_stop_too(text, slope):
+@pytest.mark.parametrize("text", STOPS)
+def test_at_stops_too(text, slope):
     compare(load(text, Machine.load("mill3", set={"path.slope": slope})))
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_two_lines_at_any_angle_overlap_as_the_axes_feel_it(seed):
+def test_at_corners_of_any_angle_as_the_axes_feel_it(seed):
     rng = np.random.default_rng([seed, 37])
     for slope in SLOPES:
         turns = np.cumsum(rng.uniform(0.2, 3.0, 6))

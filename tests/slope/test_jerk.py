@@ -228,7 +228,7 @@ def test_a_rest_that_a_late_override_plans_anew_is_kept(rest, tick):
     judged.run(program, commands=[(tick, "override", 176, 40)])
 
 
-def test_motions_overlap_no_further_than_every_tolerance_lets_them():
+def test_a_short_block_with_a_wide_tolerance_keeps_every_tolerance():
     # A short block with a wide tolerance between long ones, the first with a narrow one.
     text = (
         "G17 G21 G90 G94 G64 P0.000151\nG1 X27.19465 Y6.960014 Z-1.591634 F1000\n"

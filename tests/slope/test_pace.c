@@ -7,7 +7,7 @@
 #include "motion_check.h"
 #include "pace.h" // pace_ticks
 
-enum { WAYS = 5, BLOCKS = 120 };
+enum { WAYS = 3, BLOCKS = 120 };
 #define SLACK 0.005 // of the ticks that may come on top
 
 typedef struct way {
@@ -17,7 +17,6 @@ typedef struct way {
 
 static const way_t ways[WAYS] = {
     {NCK_SLOPE_LINEAR, 0.0}, {NCK_SLOPE_JERK, 0.0}, {NCK_SLOPE_LINEAR, 0.01},
-    {NCK_SLOPE_JERK, 0.01},  {NCK_SLOPE_JERK, 0.1},
 };
 
 static motion_t motion;

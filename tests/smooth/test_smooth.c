@@ -29,64 +29,6 @@ static void corners_of_lines_and_arcs_stay_within_the_tolerance(check_t *check)
     }
 }
 
-// A staircase of edges of a length, to X and Y in turn.
-static void add_stairs(int count, double edge, double tolerance)
-{
-    for (int k = 1; k <= count; k++) {
-        line_to(edge * ((k + 1) / 2), edge * (k / 2), 0.0, tolerance);
-    }
-}
-
-// The largest and the smallest distance of a stop where motions overlap from its corner.
-static void corners_apart(double *most_out, double *least_out)
-{
-    int at = 0;
-    *most_out = 0.0;
-    *least_out = 1e9;
-    for (int k = 0; k < path.segs; k++) {
-        double corner[NCK_AXIS_MAX];
-        if (!(path.seg[k].overlap > 0.0)) continue;
-        programmed(path.seg[k].s_begin + path.seg[k].length, &at, corner);
-        const double apart = distance(path.seg[k].end, corner);
-        *most_out = fmax(*most_out, apart);
-        *least_out = fmin(*least_out, apart);
-    }
-}
-
-// A stop is as far outside of its corner as it may be inside: there is room for more overlap. Not
-// where that would leave the travel, nor where few cells overlap no longer by it.
-static void stops_make_use_of_both_sides_of_the_tolerance(check_t *check)
-{
-    const double p = 0.01;
-    double most = 0.0;
-    double least = 0.0;
-    begin();
-    add_stairs(20, 1.0, p);
-    hold_promises(check, "stairs");
-    corners_apart(&most, &least);
-    if (NCK_CELL_MAX >= 64) CHECK(check, least > 0.95 * p && worst_overlap() > 0.97);
-    else CHECK(check, most == 0.0);
-    begin();
-    machine.axis[NCK_AXIS_X].max_nm = 10000000;
-    add_stairs(20, 1.0, p);
-    hold_promises(check, "stairs up to the end of travel");
-    corners_apart(&most, &least);
-    CHECK(check, least == 0.0 && (NCK_CELL_MAX < 64 || most > 0.95 * p));
-    for (int k = 0; k < path.segs; k++) CHECK(check, path.seg[k].end[NCK_AXIS_X] <= 10.0);
-}
-
-// Where an edge has no room for more overlap the corner stays: it would only be a longer way.
-static void corners_of_short_edges_stay(check_t *check)
-{
-    double most = 0.0;
-    double least = 0.0;
-    begin();
-    add_stairs(20, 1.0, 0.2);
-    hold_promises(check, "short stairs");
-    corners_apart(&most, &least);
-    CHECK(check, most == 0.0);
-}
-
 // Chords of a curve, rounded to digits: from 0.05 mm down.
 static void add_micro_segments(double chord, double rounding, double tolerance)
 {
@@ -155,10 +97,11 @@ static void random_paths_of_all_axes_stay_within_the_tolerance(check_t *check)
 static void a_corner_uses_most_of_its_tolerance(check_t *check)
 {
     begin();
-    line_to(10.0, 0.0, 0.0, 0.01);
-    line_to(10.0, 10.0, 0.0, 0.01);
+    machine.slope = NCK_SLOPE_LINEAR; // under a jerk limit it is faster to stop
+    line_to(10.0, 0.0, 0.0, 0.1);
+    line_to(10.0, 10.0, 0.0, 0.1);
     hold_promises(check, "a corner");
-    CHECK(check, fmax(worst_share(), worst_overlap()) > 0.9);
+    CHECK(check, worst_share() > 0.9);
     const nck_seg_t *const last = &path.seg[path.segs - 1];
     CHECK(check, path.seg[0].kind == NCK_SEG_LINE && last->kind == NCK_SEG_LINE);
     CHECK(check, path.seg[0].length > 5.0 && last->length > 5.0);
@@ -347,8 +290,6 @@ int main(void)
 {
     check_t check = {0};
     CHECK_RUN(&check, corners_of_lines_and_arcs_stay_within_the_tolerance);
-    CHECK_RUN(&check, stops_make_use_of_both_sides_of_the_tolerance);
-    CHECK_RUN(&check, corners_of_short_edges_stay);
     CHECK_RUN(&check, micro_segments_stay_within_the_tolerance);
     CHECK_RUN(&check, random_paths_of_all_axes_stay_within_the_tolerance);
     CHECK_RUN(&check, a_corner_uses_most_of_its_tolerance);

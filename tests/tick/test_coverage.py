@@ -18,7 +18,7 @@ pytestmark = pytest.mark.thorough
 TESTS = (
     "pass", "link", "link_races", "marks", "interpolate", "transform", "filter", "path", "tick",
     "kernel", "begin", "flush", "survive", "travel", "single_block", "thread", "spindle",
-    "ride", "link_join", "overlap_plan", "sync", "sync_tap", "stop", "await",
+    "sync", "sync_tap", "stop", "await",
 )  # fmt: skip
 # What runs in the tick, below csrc/nck: a file, and its functions if not all of them do.
 TICK_PATH = {

@@ -159,8 +159,6 @@
 #define NCK_HAS_COMP (NCK_LANGUAGE > 0 && NCK_COMP_SPAN > 0)
 #define NCK_HAS_SMOOTH (NCK_SMOOTH_SPAN > 0)
 #define NCK_HAS_JERK (NCK_PROFILE > 0)
-// Whether the stop at a sharp corner and the start behind it may overlap.
-#define NCK_HAS_OVERLAP (NCK_SMOOTH_SPAN > 0 && NCK_PROFILE > 0)
 // Whether the optimal slope's solvers have single precision.
 #define NCK_SINGLE (NCK_CLOCKED > 0 && NCK_CLOCKED < 256)
 // Whether there is the optimal slope.

@@ -6,7 +6,6 @@
 #include <stddef.h> // offsetof
 #include <string.h> // memset
 
-#include "nck/base/cell_math.h" // nck_cell_part
 #include "nck/base/real.h"      // nck_max
 
 enum {
@@ -42,7 +41,7 @@ int nck_link_is_spent(const nck_link_t *self) {
 
 uint32_t nck_link_cell_room(const nck_link_t *self) {
     const uint32_t end = end_of(nck_fence_load(&self->word));
-    const uint32_t used = cells_between(nck_fence_load(&self->kept), end) + self->batch;
+    const uint32_t used = cells_between(nck_fence_load(&self->taken), end) + self->batch;
     return NCK_CELL_MAX - used;
 }
 
@@ -138,8 +137,7 @@ nck_status_t nck_link_publish(nck_link_t *self) {
 static double lead_of(nck_link_t *self) {
     const uint32_t taken = nck_fence_load(&self->taken);
     while (self->lead_seen != taken) {
-        const nck_cell_t *const cell = &self->cell[self->lead_seen & (NCK_CELL_MAX - 1)];
-        if (!(cell->stop & NCK_STOP_RIDES)) self->lead_s -= cell->duration; // what rides takes none
+        self->lead_s -= self->cell[self->lead_seen & (NCK_CELL_MAX - 1)].duration;
         self->lead_seen = (self->lead_seen + 1) & END_MASK;
     }
     if (taken == end_of(nck_fence_load(&self->word))) self->lead_s = 0.0;
@@ -166,8 +164,8 @@ static uint32_t copy_ahead(nck_link_t *self, uint32_t parity, uint32_t first, ui
 
 double nck_link_lead(nck_link_t *self) { return lead_of(self); }
 
-// Begin to install what is built.
-static nck_status_t begin_install(nck_link_t *self) {
+nck_status_t nck_link_install(nck_link_t *self, double lead, uint32_t most) {
+    const uint32_t parity = next_parity(self);
     const uint32_t fill = self->tail_fill;
     if (self->broken) return NCK_E_INTERNAL;
     (void)nck_link_batch_begin(self);
@@ -176,82 +174,18 @@ static nck_status_t begin_install(nck_link_t *self) {
     // A plan made before the tick entered the tail begins where the path no longer passes.
     if ((self->base & ENTERED) != self->tail_entered) return NCK_E_STATE;
     const int entered = self->tail_entered != 0;
-    return entered && nck_fence_load(&self->tail_rested) != end + 1 ? NCK_FULL : NCK_OK;
-}
-
-// Put the first cells of what is built behind the batch, one at least, and publish it all.
-static nck_status_t end_install(nck_link_t *self, uint32_t room, double lead, uint32_t most) {
-    const uint32_t parity = next_parity(self);
-    const uint32_t fill = self->tail_fill;
+    if (entered && nck_fence_load(&self->tail_rested) != end + 1) return NCK_FULL;
     self->tail_count[parity] = fill;
-    self->tail_origin[parity] = (end_of(self->base) + self->batch) & END_MASK;
-    const double least = self->lead_s + self->tail[parity].cell[0].duration;
-    const uint32_t count = copy_ahead(self, parity, 0, room, nck_max(lead, least), most);
+    self->tail_origin[parity] = end;
+    const double least = lead_of(self) + self->tail[parity].cell[0].duration;
+    const uint32_t count =
+        copy_ahead(self, parity, 0, nck_link_cell_room(self), nck_max(lead, least), most);
     if (count == 0) return NCK_FULL;
-    const uint32_t word = ((end_of(self->base) + self->batch) & END_MASK) << END_SHIFT
+    const uint32_t word = ((end + count) & END_MASK) << END_SHIFT
                           | (count < fill ? HAS_TAIL : 0u) | parity * PARITY;
     const int done = nck_fence_exchange(&self->word, self->base, word);
     (void)nck_link_batch_begin(self);
     return done ? NCK_OK : NCK_E_STATE;
-}
-
-nck_status_t nck_link_install(nck_link_t *self, double lead, uint32_t most) {
-    const nck_status_t status = begin_install(self);
-    if (status != NCK_OK) return status;
-    const uint32_t room = nck_link_cell_room(self);
-    (void)lead_of(self);
-    return end_install(self, room, lead, most);
-}
-
-static void append_rider(nck_link_t *self, const nck_cell_t *cell) {
-    nck_cell_t rider = *cell;
-    rider.stop |= NCK_STOP_RIDES;
-    append(self, &rider);
-}
-
-// The last cells of a plan, from place `first` of its tail on, behind the batch; those of the last
-// seconds ride.
-static void append_last(nck_link_t *self, uint32_t parity, uint32_t first, double riding) {
-    const nck_cell_t *const cells = self->tail[parity].cell;
-    const uint32_t count = self->tail_count[parity];
-    double left = 0.0;
-    for (uint32_t i = first; i < count; i++) left += cells[i].duration;
-    for (uint32_t i = first; i < count; i++) {
-        const double apart = left - riding; // until the other plan begins
-        left -= cells[i].duration;
-        if (apart > 0.0 && apart < cells[i].duration) {
-            nck_cell_t part;
-            nck_cell_part(&cells[i], 0.0, apart, &part);
-            self->lead_s += part.duration;
-            append(self, &part);
-            nck_cell_part(&cells[i], apart, cells[i].duration, &part);
-            append_rider(self, &part);
-        } else if (apart > 0.0) {
-            self->lead_s += cells[i].duration;
-            append(self, &cells[i]);
-        } else {
-            append_rider(self, &cells[i]);
-        }
-    }
-}
-
-nck_status_t nck_link_join(nck_link_t *self, double overlap, double lead, uint32_t most,
-                           uint32_t *begin_out) {
-    const nck_status_t status = begin_install(self);
-    if (status != NCK_OK) return status;
-    if (self->tail_entered) return NCK_E_STATE;
-    const uint32_t parity = nck_link_parity(self->base);
-    const uint32_t first = cells_between(self->tail_origin[parity], end_of(self->base));
-    const uint32_t left = self->tail_count[parity] - first;
-    const uint32_t room = nck_link_cell_room(self);
-    if (room < left + 2) return NCK_FULL;
-    const double lead_s = lead_of(self);
-    append_last(self, parity, first, overlap);
-    *begin_out = (end_of(self->base) + self->batch) & END_MASK;
-    const nck_status_t ended = end_install(self, room - self->batch, lead, most);
-    if (ended == NCK_OK) return NCK_OK;
-    self->lead_s = lead_s;
-    return ended;
 }
 
 nck_status_t nck_link_advance(nck_link_t *self, double lead, uint32_t most) {
@@ -341,23 +275,6 @@ const nck_cell_t *nck_link_ahead(const nck_link_t *self, uint32_t word, uint32_t
     const uint32_t place = first + n - waiting;
     if (!(word & HAS_TAIL) || place >= self->tail_count[parity]) return (const nck_cell_t *)0;
     return &self->tail[parity].cell[place];
-}
-
-// Every plan that overlaps another one is final to its rest, and so is a cell of the other.
-void nck_link_ride(nck_link_t *self) {
-    uint32_t end = self->taken;
-    while (self->cell[end & (NCK_CELL_MAX - 1)].stop & NCK_STOP_RIDES) end = (end + 1) & END_MASK;
-    self->riders = cells_between(self->taken, end);
-    nck_fence_store(&self->taken, end);
-    if (self->riders == 0) nck_fence_store(&self->kept, end);
-}
-
-nck_status_t nck_link_take_rider(nck_link_t *self, nck_cell_t *cell_out) {
-    if (self->riders == 0) return NCK_EMPTY;
-    *cell_out = self->cell[self->kept & (NCK_CELL_MAX - 1)];
-    self->riders--;
-    nck_fence_store(&self->kept, self->riders > 0 ? (self->kept + 1) & END_MASK : self->taken);
-    return NCK_OK;
 }
 
 void nck_link_tail_rest(nck_link_t *self) {

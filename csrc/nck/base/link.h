@@ -77,12 +77,10 @@ typedef struct nck_link {
     nck_cell_t *tail_at;  // where the next cell of the tail being built goes; prep alone
 
     uint32_t taken;        // cells taken by the tick; tick writes
-    uint32_t kept;         // the oldest cell in use, taken or riding; tick writes
     uint32_t seg_done;     // segs finished; tick writes
     uint32_t output_taken; // outputs handed over; tick writes
     uint32_t tail_rested;  // word's end whose tail has come to rest, plus one; tick writes
     uint32_t tail_taken;   // cells taken from the tail; tick alone
-    uint32_t riders;       // cells from kept on that ride; tick alone
 
     uint32_t tail_count[2];
     uint32_t tail_origin[2]; // end of the final cells that the tail's first cell follows
@@ -189,14 +187,6 @@ nck_status_t nck_link_install(nck_link_t *self, double lead, uint32_t most);
 // the tail. Cost: linear in the cells made final. Context: prep.
 nck_status_t nck_link_advance(nck_link_t *self, double lead, uint32_t most);
 
-// Let what is left of the published plan overlap the one built since nck_link_tail_begin, which
-// begins so many seconds before the rest: both become final, this one up to `lead` seconds and
-// `most` cells of it (one at least). The cell is parted where the other one begins; from there on
-// cells ride (NCK_STOP_RIDES). The number of the new plan's first cell goes to *begin_out.
-// Returns as nck_link_install. Cost: linear in the cells made final. Context: prep.
-nck_status_t nck_link_join(nck_link_t *self, double overlap, double lead, uint32_t most,
-                           uint32_t *begin_out);
-
 // How long the final cells last that the tick has not taken [s].
 // Cost: linear in the cells taken since it was last asked. Context: prep.
 double nck_link_lead(nck_link_t *self);
@@ -254,10 +244,8 @@ int nck_link_is_spent(const nck_link_t *self);
 
 // Take the next final cell; there must be one (nck_link_waiting). Cost: constant. Context: tick.
 static inline void nck_link_take_final(nck_link_t *self, nck_cell_t *cell_out) {
-    const uint32_t next = (self->taken + 1) & NCK_LINK_COUNT_MASK;
     *cell_out = self->cell[self->taken & (NCK_CELL_MAX - 1)];
-    nck_fence_store(&self->taken, next);
-    if (self->riders == 0) nck_fence_store(&self->kept, next);
+    nck_fence_store(&self->taken, (self->taken + 1) & NCK_LINK_COUNT_MASK);
 }
 
 // Take the next cell: a final one, else one of the tail (*from_tail_out = 1), else NCK_EMPTY.
@@ -274,11 +262,6 @@ static inline uint32_t nck_link_word(const nck_link_t *self) {
 static inline int nck_link_holds(nck_link_t *self, uint32_t word) {
     return nck_fence_exchange(&self->word, word, word);
 }
-
-// The cell taken last rides: go on behind the rest that the riding ones lead to. The next of them;
-// NCK_EMPTY behind the last one. Cost: linear in the riding cells; constant. Context: tick.
-void nck_link_ride(nck_link_t *self);
-nck_status_t nck_link_take_rider(nck_link_t *self, nck_cell_t *cell_out);
 
 // The tail has come to rest: prep may publish again. Cost: constant. Context: tick.
 void nck_link_tail_rest(nck_link_t *self);

@@ -48,11 +48,8 @@ static int tail_rests(const nck_link_t *self, uint32_t end, chain_t *chain) {
     return !cell && nck_fabs(chain->v) <= SEAM;
 }
 
-// What rides has been taken, as has what it rides beside; they keep their places.
 static int are_within_capacities(const nck_link_t *self, uint32_t waiting) {
-    const uint32_t riding = (self->taken - self->kept) & NCK_LINK_COUNT_MASK;
-    return riding + waiting + self->batch <= NCK_CELL_MAX && self->riders <= riding
-           && self->tail_fill <= NCK_TAIL_MAX
+    return waiting + self->batch <= NCK_CELL_MAX && self->tail_fill <= NCK_TAIL_MAX
            && self->tail_count[0] <= NCK_TAIL_MAX && self->tail_count[1] <= NCK_TAIL_MAX
            && self->seg_head - self->seg_done <= NCK_SEG_MAX
            && self->output_head - self->output_taken <= NCK_OUTPUT_MAX;

@@ -203,8 +203,6 @@ typedef struct nck_seg {
     double length;       // range of s [path mm]: path length (spline: that of the programmed path
                          // it stands for, never less than its own); 0 for dwell and wait
     double s_begin;      // length of all segs before [path mm], for reports
-    double overlap;      // where it stops: when so much is left to go the next motion may have come
-                         // as far, within the tolerance [path mm]; 0: it begins behind the rest
     double feed;         // wanted path speed [path mm/s]; rapid: 0
     double feed_scale;   // speed that the program means / path speed (1 unless rotary axes join in)
     double v_most;       // as fast as the spindle can follow [path mm/s]; 0: no such limit
@@ -262,11 +260,9 @@ typedef struct nck_node {
 typedef enum nck_stop {
     NCK_STOP_REST = 1, // comes to rest at its end, the tick lands there
     NCK_STOP_HOLD = 2, // of a hold: braking for a rest from which only nck_resume goes on
-    NCK_STOP_RIDES = 4, // overlaps: what follows behind its rest begins with the first such cell:
-                        // it takes no time of its own
-    NCK_STOP_SLOW = 8,  // of a plan that only slows down for a rest: from here on the tick brakes
-    NCK_STOP_SETS_OFF = 16 // the path does not rest before it, the tool does: the tick's clock
-                           // starts from nothing
+    NCK_STOP_SLOW = 4, // of a plan that only slows down for a rest: from here on the tick brakes
+    NCK_STOP_SETS_OFF = 8 // the path does not rest before it, the tool does: the tick's clock
+                          // starts from nothing
 } nck_stop_t;
 
 // 5_slope ══ring══▶ 6_interpolate: a stretch of constant jerk (0 for the linear slope).
@@ -294,8 +290,6 @@ typedef struct nck_pose {
     uint8_t limit;       // nck_limit_t
     uint8_t state;       // nck_tick_state_t
     double s;            // path coordinate from the program's start [path mm]
-    double left;         // of the motion before, beside which this one has begun [path mm]: s tells
-                         // what is done of both; 0: none
     double v;            // path speed [path mm/s]
     double feed;         // commanded path speed [path mm/s]
     double feed_scale;   // as in the seg

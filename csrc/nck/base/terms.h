@@ -22,8 +22,6 @@ typedef struct nck_terms {
                          // are none
     double knots_most;   // so many times as long at most where nothing is near; 1 at least
     double knot_p;       // the least tolerance that such intervals are short enough for [mm]
-    double ride_s;       // for how long two motions may overlap: by what the cells' ring holds [s];
-                         // 0: never
 } nck_terms_t;
 
 #endif

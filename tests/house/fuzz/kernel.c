@@ -236,9 +236,9 @@ static void check_node(void *user, const nck_node_t *node) {
 }
 
 static void check_seg(void *user, const nck_seg_t *seg) {
-    const double numbers[] = {seg->length, seg->s_begin, seg->overlap, seg->feed, seg->feed_scale};
+    const double numbers[] = {seg->length, seg->s_begin, seg->feed, seg->feed_scale};
     (void)user;
-    require(all_finite(numbers, 5) && seg->overlap >= 0.0);
+    require(all_finite(numbers, 4));
     for (int k = 0; k < 2; k++) require(all_finite(seg->shape.inner[k], NCK_AXIS_MAX)); // or an arc
     require(all_finite(seg->start, NCK_AXIS_MAX) && all_finite(seg->end, NCK_AXIS_MAX));
     require(seg->kind >= NCK_SEG_DWELL || seg->length > 0.0);
@@ -272,7 +272,7 @@ static void check_findings(run_t *self) {
 static void check_pose(run_t *self) {
     const nck_pose_t *const pose = &self->pose;
     require(all_finite(pose->axis, NCK_AXIS_MAX) && isfinite(pose->s) && isfinite(pose->v));
-    require(isfinite(pose->left) && isfinite(pose->feed));
+    require(isfinite(pose->feed));
     require(pose->v >= 0.0 && pose->state <= NCK_TICK_HOLD);
     const double rounding = 1e-9 + 1e-14 * pose->s;
     require(pose->s >= self->before.s - rounding);

@@ -2,16 +2,13 @@
 // Inside room 3: is a corner faster as a bend of the spline, or as a stop?
 //
 // Within the tolerance a spline takes a sharp corner at a speed that falls with the tolerance, and
-// the path slows down to it and speeds up again. A stop spends no time in a bend; the motion behind
-// it begins before the one that leads to it has ended, as the tolerance lets them, or it costs some
-// periods at rest. Each is judged by its time over half of either block, the next corners being
-// alike.
+// the path slows down to it and speeds up again. A stop spends no time in a bend, but some periods
+// at rest. Each is judged by its time over half of either block, the next corners being alike.
 #include "nck/prep/3_smooth/choice.h"
 
 #include <string.h> // memcpy
 
 #include "nck/base/budget.h"               // NCK_BUDGET_… NCK_UNLIMITED
-#include "nck/base/overlap_math.h"         // nck_overlap_…
 #include "nck/base/path.h"                 // nck_path_tangent_part nck_path_slope
 #include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/base/scurve_math.h"          // nck_scurve_…
@@ -19,17 +16,9 @@
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
 #define HALF 0.495           // of a block, for the corner at one of its ends
-#define TOLERANCE_SHARE 0.98 // of P: rounding of setpoints is the rest
 #define ZONES_CUT 1.3        // see SPLIT_ZONES of room 4
 #define STANDSTILL 1e-3
 #define ALIKE 0.01           // of a bend's half-width: a shorter block is a part of the corner
-#define PERIODS_LEAST 2.0     // that two motions overlap
-#define SHARE_LEAST 0.55      // of the jerk that motions keep to which overlap: half gains nothing
-#define SPREAD 5.0           // of δ: so near to the corner at least a block is its own
-#define CUT_MOST 4.0         // times what is its own: a wider δ is cut only beside a long block
-#define USED 0.8             // of the time for which motions may overlap: more is not worth a way
-#define JERK_EPSILON 1e-9    // of a limit is rounding
-#define ADDED 1.3            // a/j of either block, in times for which accelerations add up
 #define OWN 0.7              // of the spline's turn that a corner has to make for a stop to help
 #define FREE 1.6              // times the speed beside it: a bend that allows so much has that one
 #define TURNS_ON 1.02         // of a corner's turn is the bend's: other corners in it turn alike
@@ -48,13 +37,9 @@ typedef struct corner {
     double in[NCK_AXIS_MAX];  // dp/ds of both blocks where they meet
     double out[NCK_AXIS_MAX];
     double turn;              // |out − in| of the unit tangents
-    double tolerance;         // [path mm]
     double length[2];         // of either block [path mm]
     double half[2];           // how much of it is this corner's [path mm]
-    double shorter;           // of the blocks themselves [path mm]
     uint8_t rests[2];         // 1: the path rests at the block's other end
-    uint8_t are_lines;        // 1: both blocks are
-    uint8_t may_move;         // 1: a stop may be off the corner
     nck_scurve_t ramp[2];     // along either block
     double v_max;             // of both [path mm/s]
     const nck_terms_t *terms; // of the slope
@@ -198,106 +183,6 @@ static double side_time(const corner_t *corner, const shape_limit_t *limit, int 
            + nck_scurve_over(&way.left, way.v_free, way.bound);
 }
 
-// The distance at which motions overlap that would rest so far off the corner.
-static double distance_of(const corner_t *corner, double outside) {
-    return nck_overlap_distance(corner->tolerance, outside, corner->turn, corner->turn);
-}
-
-// A distance that is cut to this one.
-static double cut_to(double distance, double longest, nck_corner_stop_t *stop_out) {
-    if (distance <= longest) return distance;
-    stop_out->widest = longest;
-    return longest;
-}
-
-// The distance at a stop on the corner, cut to the widest that is either block's own; 0: none, as
-// where it is much wider than both blocks have room for.
-static double distance_within(const corner_t *corner, double widest, nck_corner_stop_t *stop_out) {
-    const double distance = distance_of(corner, 0.0);
-    if (distance <= widest) return distance;
-    const double longer = nck_max(corner->half[0], corner->half[1]) / SPREAD;
-    if (distance > nck_max(CUT_MOST * widest, longer)) return 0.0;
-    return cut_to(distance, widest, stop_out);
-}
-
-// How far off the corner a stop is worth to be, for a distance up to `most`. Both ways grow by it.
-static double outside_of(const corner_t *corner, double most) {
-    const double wanted = nck_min(corner->tolerance, most * corner->turn - corner->tolerance);
-    if (!corner->may_move) return 0.0;
-    return nck_max(0.0, nck_min(wanted, NCK_CHOICE_OUTSIDE * corner->shorter));
-}
-
-// How long a motion from rest over half of a block has acceleration that grows, with a share of its
-// jerk.
-static double growing_time(const corner_t *corner, int n, double share) {
-    const nck_scurve_t ramp = {corner->ramp[n].a, share * corner->ramp[n].j, corner->v_max};
-    const double v = nck_scurve_reach(&ramp, 0.0, corner->half[n]);
-    return nck_min(ramp.a / ramp.j, nck_sqrt(v / ramp.j));
-}
-
-// How long motions may overlap at most: up to the corner's speed, and half a block takes half_s.
-// The slope cannot do so for longer than ride_s: where that costs jerk, less is better.
-// Where only the order of their jerks lets them share an axis, as long as acceleration grows.
-static double overlap_most(const corner_t *corner, const nck_overlap_t *motions, double share,
-                           double half_s) {
-    const nck_terms_t *const terms = corner->terms;
-    const double sum = nck_overlap_sum(terms->machine, terms->axes, motions);
-    double most = nck_overlap_most(terms->machine, terms->axes, motions);
-    most = nck_min(most, half_s - terms->rest_s);
-    if (share < 1.0) most = nck_min(most, terms->ride_s);
-    for (int n = 0; n < 2; n++) {
-        most = nck_min(most, nck_scurve_time(&corner->ramp[n], corner->v_max));
-        if (share * sum > 1.0 + JERK_EPSILON) {
-            most = nck_min(most, growing_time(corner, n, share));
-        }
-    }
-    return most;
-}
-
-// 1 if accelerations may add up for so long on every axis.
-static int may_add(const corner_t *corner, double time) {
-    const nck_scurve_t *const ramp = corner->ramp;
-    return nck_min(ramp[0].a / ramp[0].j, ramp[1].a / ramp[1].j) > ADDED * time;
-}
-
-// The time for a distance goes with its cube root.
-static double time_root(double distance) {
-    return distance > 0.0 ? nck_root_cube(distance) : 0.0;
-}
-
-// What a stop gains by overlapping motions [s], no more than half a block takes from rest, half_s.
-// No distance in *stop_out: nothing, where one of the blocks is no line, or too short, or an
-// axis has no jerk for both. Near to the corner either keeps to a share κ of its jerk then, and
-// loses (1 − κ) of the time that both overlap: so no distance is wider than that time can use.
-// Without a filter it would come to no acceleration where that begins.
-static double overlap_of(const corner_t *corner, double half_s, nck_corner_stop_t *stop_out) {
-    const nck_terms_t *const terms = corner->terms;
-    const nck_overlap_t motions = {corner->in, corner->out,
-                                   {corner->ramp[0].j, corner->ramp[1].j}, {0.0, 0.0}};
-    if (!(terms->ride_s > 0.0) || !corner->are_lines || !(corner->turn > 0.0)) return 0.0;
-    const double widest = nck_min(corner->half[0], corner->half[1]) / SPREAD;
-    double d = distance_within(corner, widest, stop_out);
-    const double load = nck_overlap_load(terms->machine, terms->axes, &motions);
-    const double share = nck_min(1.0, 1.0 / load);
-    if (!(d > 0.0) || share < (terms->taps > 1 ? SHARE_LEAST : 1.0)) return 0.0;
-    const double most = overlap_most(corner, &motions, share, half_s);
-    const double unit = nck_overlap_time(1.0, share * motions.j[0])
-                        + nck_overlap_time(1.0, share * motions.j[1]); // for 1 mm
-    const double root = nck_max(0.0, most / unit);
-    const double used = USED * root;
-    const double outside = outside_of(corner, nck_min(widest, used * used * used));
-    const double wide = distance_of(corner, outside);
-    if (outside > 0.0 && may_add(corner, unit * nck_root_cube(wide))) {
-        stop_out->outside = outside;
-        d = wide;
-    }
-    if (share < 1.0) d = cut_to(d, root * root * root, stop_out);
-    const double overlap = nck_min(unit * time_root(d), most);
-    if (overlap < PERIODS_LEAST * terms->machine->period_s) return 0.0;
-    stop_out->distance = d;
-    return overlap * (1.0 - 2.0 * (1.0 - share));
-}
-
 // Time from a stop at a block's other end over what of d is beyond that.
 static double again_time(const corner_t *corner, int n, double d) {
     return nck_scurve_over(&corner->ramp[n], 0.0, nck_max(0.0, d - corner->length[n]));
@@ -307,13 +192,11 @@ static double again_time(const corner_t *corner, int n, double d) {
 // fast as it has become. That is less than stops at all the corners there would take, if they are
 // alike. Under a jerk limit a block that is much shorter is a part of this corner: then the next
 // corner's stop is the bound.
-static double stop_time(const corner_t *corner, double d, nck_corner_stop_t *stop_out) {
+static double stop_time(const corner_t *corner, double d) {
     double time = 0.0;
-    double half_s = NCK_UNLIMITED; // a line overlaps at both ends
     for (int n = 0; n < 2; n++) {
         const nck_scurve_t *const ramp = &corner->ramp[n];
         const double half = nck_scurve_over(ramp, 0.0, corner->half[n]);
-        half_s = nck_min(half_s, half);
         const double beyond = nck_max(0.0, d - corner->half[n]);
         double on = beyond / nck_scurve_reach(ramp, 0.0, corner->half[n]);
         if (corner->terms->limits_jerk) on = nck_min(on, half + again_time(corner, n, d));
@@ -321,8 +204,7 @@ static double stop_time(const corner_t *corner, double d, nck_corner_stop_t *sto
         if (corner->rests[n]) time += 2.0 * half;
         else time += half + (is_apart ? on : nck_min(half, on));
     }
-    const double overlap = overlap_of(corner, half_s, stop_out);
-    return overlap > 0.0 ? time - overlap : time + corner->terms->rest_s;
+    return time + corner->terms->rest_s;
 }
 
 // What a bend allows. One that is left next to nothing is a standstill.
@@ -413,17 +295,11 @@ static double turn_of(const double *in, const double *out, int axes) {
 
 // Where the corner is and how sharp.
 static void measure_turn(const nck_smooth_t *self, const nck_meet_t *meet, corner_t *corner) {
-    const nck_raw_t *const a = meet->a;
-    const nck_raw_t *const b = meet->b;
     take_tangents(meet, self->terms->axes, corner->in, corner->out);
     corner->terms = self->terms;
     corner->turn = turn_of(corner->in, corner->out, self->terms->axes);
-    corner->tolerance = TOLERANCE_SHARE * meet->tolerance;
     memcpy(corner->length, meet->length, sizeof corner->length);
     memcpy(corner->rests, meet->rests, sizeof corner->rests);
-    corner->are_lines = a->seg.kind == NCK_SEG_LINE && b->seg.kind == NCK_SEG_LINE;
-    corner->may_move = meet->may_move;
-    corner->shorter = nck_min(a->seg.length, b->seg.length);
     corner->half[0] = HALF * meet->length[0];
     corner->half[1] = HALF * meet->length[1];
 }
@@ -479,18 +355,13 @@ int nck_choice_may_stop(const nck_smooth_t *self, const nck_meet_t *meet, const 
     return is_own(turn_of(in, out, axes), bend, axes);
 }
 
-int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend,
-                    nck_corner_stop_t *stop_out) {
+int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend) {
     corner_t corner;
     measure_turn(self, meet, &corner);
-    stop_out->tolerance = corner.tolerance;
-    stop_out->distance = 0.0;
-    stop_out->widest = NCK_UNLIMITED;
-    stop_out->outside = 0.0;
     if (!is_own(corner.turn, bend, self->terms->axes)) return 0;
     measure_ramps(self, meet, &corner);
     nck_bend_t steep = *bend;
     const double times = turn_counts(&corner, meet, bend);
     for (int x = 0; x < self->terms->axes; x++) steep.turn[x] *= times;
-    return stop_time(&corner, bend->d, stop_out) < plain_time(&corner, &steep);
+    return stop_time(&corner, bend->d) < plain_time(&corner, &steep);
 }

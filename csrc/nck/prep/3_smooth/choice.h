@@ -6,9 +6,6 @@
 
 #include "nck/prep/3_smooth/smooth.h" // nck_smooth_t nck_raw_t
 
-// A stop is off its corner by so much of either block beside it at most.
-#define NCK_CHOICE_OUTSIDE (1.0 / 32.0)
-
 // The bend of the spline at a corner.
 typedef struct nck_bend {
     double d;                 // spacing of the knots beside it [path mm]
@@ -23,16 +20,7 @@ typedef struct nck_meet {
     double length[2];   // how far the path leads to it and on as good as straight [path mm]
     double tolerance;   // the least on these ways [mm]
     uint8_t rests[2];   // 1: it rests at the other ends of these
-    uint8_t may_move;   // 1: the corner may be moved to its outside
 } nck_meet_t;
-
-// A stop beside which motions overlap.
-typedef struct nck_corner_stop {
-    double tolerance; // how far off the corner the path may be [mm]
-    double distance;  // that either may have to it at the same time; 0: none overlap [path mm]
-    double widest;    // no more than that, as short as the blocks are [path mm]
-    double outside;   // how far off the corner it is [mm]
-} nck_corner_stop_t;
 
 // Returns 1 if one of two bends at the corner is faster than the other.
 // Cost: as above.
@@ -43,9 +31,7 @@ int nck_choice_wide(const nck_smooth_t *self, const nck_meet_t *meet, const nck_
 // lengths of the ways do not matter. Cost: four square roots.
 int nck_choice_may_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend);
 
-// Returns 1 if a stop at the corner is faster than the spline's bend, and what kind of stop. Its
-// distance takes both blocks for as long as they are straight. Cost: as above.
-int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend,
-                    nck_corner_stop_t *stop_out);
+// Returns 1 if a stop at the corner is faster than the spline's bend. Cost: as above.
+int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend);
 
 #endif

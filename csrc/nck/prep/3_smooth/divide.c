@@ -87,7 +87,6 @@ void nck_divide_next(nck_smooth_t *self, nck_seg_t *seg_out) {
     *seg_out = *seg;
     take_part(seg_out, from, to, self->terms->axes);
     if (to < seg->length) seg_out->stop = 0;
-    if (to < seg->length) seg_out->overlap = 0.0;
     nck_path_part(seg, 0.5 * (from + to), NCK_AXIS_X + 1, middle);
     seg_out->feed = nck_spin_feed(&seg->spin, seg->feed, middle[NCK_AXIS_X]);
     seg_out->v_most = follows_at(seg, from, to, self->terms->machine->spindle.a_max_rpm_s);

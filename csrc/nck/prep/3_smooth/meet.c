@@ -3,7 +3,6 @@
 // control point on the path or off it, or a stop.
 #include "nck/prep/3_smooth/meet.h"
 
-#include "nck/base/overlap_math.h"         // nck_overlap_distance
 #include "nck/base/real.h"                 // nck_min
 #include "nck/prep/3_smooth/choice.h"      // nck_choice_…
 #include "nck/prep/3_smooth/estimate.h"    // nck_estimate_off
@@ -12,10 +11,7 @@
 
 #define STRAIGHT 0.1     // |Δu| up to which a path goes on straight, for the time of a stop
 #define AT_REST 0.02     // of a way: a rest so near to its end is there, for the time of a stop
-enum {
-    WAYS = 16,           // blocks on either side that go on straight, at most
-    CELLS_LEAST = 64     // of the ring, for a corner to be moved
-};
+enum { WAYS = 16 };      // blocks on either side that go on straight, at most
 
 double nck_meet_lift(nck_smooth_t *self, uint32_t count, double h, double weight) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
@@ -28,10 +24,9 @@ double nck_meet_lift(nck_smooth_t *self, uint32_t count, double h, double weight
 }
 
 // The run at the front ends at rest behind the block at count, and a run of its own begins there.
-static void stop_behind(nck_smooth_t *self, uint32_t count, double overlap) {
+static void stop_behind(nck_smooth_t *self, uint32_t count) {
     double s = 0.0;
     nck_raw_at(self, count)->seg.stop = 1;
-    nck_raw_at(self, count)->seg.overlap = overlap;
     for (uint32_t k = count + 1; k != self->run.end; k++) {
         nck_raw_t *const raw = nck_raw_at(self, k);
         raw->s = s; // added up as in smooth.c, so that an output is at its block's end to the bit
@@ -39,65 +34,6 @@ static void stop_behind(nck_smooth_t *self, uint32_t count, double overlap) {
     }
     self->run.end = count + 1;
     self->run.closed = 1;
-}
-
-// From the corner to its outside: −Δu, of unit length. Returns |Δu|.
-static double outward(const nck_seg_t *in, const nck_seg_t *out, int axes, double *way_out) {
-    const double turn = nck_raw_turn(in, out, axes, way_out);
-    for (int x = 0; x < axes; x++) way_out[x] /= -turn;
-    return turn;
-}
-
-// 1 if corners are moved at all: few cells overlap no longer by it, and without a filter nothing on
-// another axis may overlap.
-static int moves_corners(const nck_smooth_t *self) {
-    return NCK_CELL_MAX >= CELLS_LEAST && self->terms->taps > 1;
-}
-
-// 1 if a corner may be moved to its outside: nothing of the block before it is used, and there is
-// travel for it.
-static int may_move(const nck_smooth_t *self, const nck_meet_t *meet) {
-    const int axes = self->terms->axes;
-    double way[NCK_AXIS_MAX];
-    if (!moves_corners(self) || self->run.t[4] > meet->a->s) return 0;
-    if (!(outward(&meet->a->seg, &meet->b->seg, axes, way) > 0.0)) return 0;
-    for (int x = 0; x < axes; x++) {
-        const double to = meet->b->seg.start[x] + meet->tolerance * way[x];
-        if (way[x] != 0.0 && (to < self->travel[0][x] || to > self->travel[1][x])) return 0;
-    }
-    return 1;
-}
-
-// How much the tangent of a block may still turn, as its end is moved.
-static double turn_left(const nck_smooth_t *self, const nck_raw_t *raw) {
-    const double most = nck_min(raw->tolerance / raw->seg.length, NCK_CHOICE_OUTSIDE);
-    return moves_corners(self) ? most : 0.0;
-}
-
-// The path stops at a corner, or outside of it. Returns the distance at which motions overlap
-// there; it leaves what the block behind may still turn.
-static double move_corner(const nck_smooth_t *self, nck_raw_t *raw, nck_raw_t *next,
-                          const nck_corner_stop_t *stop) {
-    const int axes = self->terms->axes;
-    const double within = stop->tolerance - stop->distance * turn_left(self, next);
-    const double outside = nck_min(stop->outside, within);
-    double way[NCK_AXIS_MAX];
-    double by[NCK_AXIS_MAX];
-    double along = 0.0;
-    if (!(within > 0.0) || !(stop->distance > 0.0)) return 0.0;
-    (void)outward(&raw->seg, &next->seg, axes, way);
-    if (outside > 0.0) {
-        for (int x = 0; x < axes; x++) {
-            raw->seg.end[x] += outside * way[x];
-            next->seg.start[x] = raw->seg.end[x];
-        }
-        raw->moved[1] = (float)outside;
-        next->moved[0] = (float)outside;
-        next->onward = NCK_ONWARD_UNKNOWN;
-    }
-    const double turn = nck_raw_turn(&raw->seg, &next->seg, axes, by);
-    for (int x = 0; x < axes; x++) along -= way[x] * by[x];
-    return nck_min(nck_overlap_distance(within, outside, along, turn), stop->widest);
 }
 
 // 1 if the path goes on as good as straight from one block to the next. Every corner in reach asks.
@@ -174,7 +110,7 @@ void nck_meet_choose(nck_smooth_t *self, uint32_t count) {
     nck_raw_t *const raw = nck_raw_at(self, count);
     nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
     const double tolerance = nck_min(raw->tolerance, next->tolerance);
-    nck_meet_t meet = {raw, next, {0.0, 0.0}, tolerance, {0, 0}, 0};
+    nck_meet_t meet = {raw, next, {0.0, 0.0}, tolerance, {0, 0}};
     nck_bend_t bend;
     if (raw->key == NCK_KEY_PAIR) bend_of_pair(self, &meet, &bend);
     else bend_of(self, count, raw->spacing, &bend);
@@ -191,9 +127,7 @@ void nck_meet_choose(nck_smooth_t *self, uint32_t count) {
             bend = plain;
         }
     }
-    nck_corner_stop_t stop;
-    meet.may_move = (uint8_t)may_move(self, &meet);
-    if (!nck_choice_stop(self, &meet, &bend, &stop)) return;
+    if (!nck_choice_stop(self, &meet, &bend)) return;
     if (raw->key == NCK_KEY_PAIR) raw->key = NCK_KEY_NONE; // the next one is alone
-    stop_behind(self, count, move_corner(self, raw, next, &stop));
+    stop_behind(self, count);
 }

@@ -370,8 +370,6 @@ static nck_status_t give_spline(nck_smooth_t *self, nck_smooth_item_t *item_out)
     nck_raw_take_words(&raw->seg, seg);
     keep_feed(seg, stretch);
     seg->stop = (uint8_t)nck_knot_rests(self, end);
-    if (end < self->run.rest) seg->overlap = nck_raw_at(self, self->run.end - 1)->seg.overlap;
-    if (!seg->stop) seg->overlap = 0.0;
     self->run.given = end;
     if (end >= t[3]) nck_knot_advance(self);
     drop_passed(self, end);

@@ -7,7 +7,6 @@
 // What the pieces on both sides allow comes on top when the node is placed (piece.c).
 #include "nck/prep/4_lookahead/corner.h"
 
-#include "nck/base/overlap_math.h"           // nck_overlap_…
 #include "nck/prep/4_lookahead/limit_math.h" // nck_corner_…
 #include "nck/prep/4_lookahead/stop.h"       // nck_stop_pays
 #include "nck/prep/4_lookahead/walk.h"       // nck_walk_…
@@ -39,10 +38,6 @@
 #define EVEN_BRAKE 1.6
 #define EVEN_BRAKE_LONGER 4.05
 
-// Room for a float's rounding, and for the steps of a plan.
-#define OVERLAP_SHARE (1.0 - 1e-6)
-#define OVERLAP_REACH 1.1
-
 // Where a period gains as much speed as short lines have room for, a crowd of corners would have to
 // be passed at next to none: less acceleration on the lines lets it be passed at more. What the
 // filter adds to a speed is not worth less, nor without one a share of what a period gains.
@@ -71,26 +66,6 @@ static double load_of(const double *tangent_in, const double *tangent_out,
     return load;
 }
 
-// Two motions that overlap at a stop: what either keeps to of its jerk, and how near to it. The
-// other one is at rest when it has κ·j·t³/6 to go, where t is how long both overlap.
-static void overlap(nck_junction_t *in, const nck_junction_t *out, const double *tangent_in,
-                    const double *tangent_out, const nck_terms_t *terms) {
-    nck_junction_overlap_t *const overlap = &in->overlap;
-    const nck_overlap_t motions = {tangent_in, tangent_out,
-                                   {in->j_straight, out->j_straight},
-                                   {nck_overlap_turn(in->kind), nck_overlap_turn(out->kind)}};
-    const double *const j = motions.j;
-    const double most = nck_overlap_load(terms->machine, terms->axes, &motions);
-    if (!(most > 1.0)) return;
-    const double d = (double)overlap->distance;
-    const double share = OVERLAP_SHARE / most;
-    const double time = nck_overlap_time(d, share * j[0]) + nck_overlap_time(d, share * j[1]);
-    overlap->share = (float)share;
-    for (int n = 0; n < 2; n++) {
-        overlap->reach[n] = (float)(OVERLAP_REACH * share * j[n] * time * time * time / 6.0);
-    }
-}
-
 // The path rests at the end of a junction; lands: the tick does, too.
 static void rest(nck_junction_t *junction, int lands) {
     for (int k = 0; k < NCK_PACES; k++) junction->pace[k].v_corner = 0.0;
@@ -109,7 +84,6 @@ static int breaks_jerk(const nck_junction_t *in, const nck_junction_t *out, int 
 void nck_corner_meet(nck_junction_t *in, nck_junction_t *out, const double *tangent_in,
                      const double *tangent_out, const nck_terms_t *terms) {
     if (out->kind >= NCK_SEG_DWELL) in->end |= NCK_JUNCTION_STOP;
-    if (in->overlap.distance > 0.0f) overlap(in, out, tangent_in, tangent_out, terms);
     if ((in->end & NCK_JUNCTION_STOP) || in->kind >= NCK_SEG_DWELL) return;
     const double load = load_of(tangent_in, tangent_out, terms);
     const double v = nck_min(in->v_free, out->v_free);

@@ -233,8 +233,6 @@ static inline void begin(nck_junction_t *junction, const nck_seg_t *seg) {
     junction->v_max = NCK_UNLIMITED;
     junction->v_free = NCK_UNLIMITED;
     junction->load = 0.0;
-    junction->overlap.distance = (float)seg->overlap;
-    junction->overlap.share = 1.0f;
     for (int k = 0; k < NCK_PACES; k++) {
         junction->pace[k].v_corner = NCK_UNLIMITED;
         junction->pace[k].share = 0.0;

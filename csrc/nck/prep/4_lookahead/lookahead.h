@@ -48,14 +48,6 @@ typedef enum nck_junction_end {
 // 5's alone, so for its neighbours here it is a rest.
 enum { NCK_JUNCTION_CLOCKED = NCK_SEG_TAP + 1 };
 
-// Where the path stops within a tolerance, and the next motion may begin before: near to the corner
-// both leave some jerk of the axes that they share for the other one.
-typedef struct nck_junction_overlap {
-    float distance;       // nck_seg_t.overlap; 0: none
-    float share;          // of the jerk, that either motion keeps to
-    float reach[2];       // so near to the corner: before and behind it [path mm]
-} nck_junction_overlap_t;
-
 // What the axes allow a line or an arc; the rest of it: what an arc costs of its plane's two axes.
 typedef struct nck_junction_arc {
     double a_straight;    // tangential limit by the axes that are on no arc [path mm/s²]
@@ -101,7 +93,6 @@ typedef struct nck_junction {
     double a_most;        // largest tangential acceleration anywhere on the seg [path mm/s²]
     double load;          // d of the junction at the end [s²/mm]; 0 at a stop
     nck_pace_t pace[NCK_PACES];
-    nck_junction_overlap_t overlap; // at the end
     nck_junction_shape_t shape; // by kind
 } nck_junction_t;
 

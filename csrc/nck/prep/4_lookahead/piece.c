@@ -216,14 +216,6 @@ static double speed_between(nck_lookahead_t *self, uint32_t count) {
     return nck_min(pace->v_corner, nck_min(pace->v, behind->pace[NCK_PACE_OVER].v));
 }
 
-// What overlaps between the segs node − 1 and node; NULL if nothing leaves jerk for another motion.
-static const nck_junction_overlap_t *overlap_at(nck_lookahead_t *self, uint32_t node) {
-    if (node == 0) return (const nck_junction_overlap_t *)0;
-    const nck_junction_t *const junction = nck_junction_at(self, node - 1);
-    const int shares = (junction->end & NCK_JUNCTION_STOP) && junction->overlap.share < 1.0f;
-    return shares ? &junction->overlap : (const nck_junction_overlap_t *)0;
-}
-
 // Under a jerk limit: how far a zone reaches into a seg from its node, between the segs node − 1
 // and node: at the seg's
 // own speed, or at what it can have gained by then with the acceleration that the zone leaves.
@@ -275,9 +267,7 @@ static int find_zones(nck_lookahead_t *self, uint32_t count, const around_t ends
         is_cut_off[n] = is_tighter(self, junction, &ends[n]);
         zone[n] = 0.0;
         if (!is_cut_off[n]) continue;
-        const nck_junction_overlap_t *const overlap = overlap_at(self, count + n);
         zone[n] = zone_length(self, junction, count + n, &ends[n]);
-        if (overlap) zone[n] = nck_max(zone[n], (double)overlap->reach[1 - n]);
         if (!has_middle(junction, zone[n])) return 0;
     }
     return (is_cut_off[0] || is_cut_off[1]) && has_middle(junction, zone[0] + zone[1]);
@@ -362,19 +352,6 @@ static nck_node_t *add_motion(nck_lookahead_t *self, uint32_t count, around_t en
     return node;
 }
 
-// Beside a stop where motions overlap each keeps to its share of the jerk.
-static void share_jerk(nck_lookahead_t *self, uint32_t count, around_t ends[2]) {
-    const nck_junction_t *const junction = nck_junction_at(self, count);
-    for (uint32_t n = 0; n < 2; n++) {
-        const nck_junction_overlap_t *const overlap = overlap_at(self, count + n);
-        if (!overlap) continue;
-        const double j = (double)overlap->share * junction->j_straight;
-        for (int k = 0; k < NCK_PACES; k++) {
-            ends[n].near[k].j = nck_min(ends[n].near[k].j, j);
-        }
-    }
-}
-
 // What reaches into the oldest junction from before and, beside the shares, from behind. NCK_EMPTY
 // if it is not known yet.
 static nck_status_t look_around(nck_lookahead_t *self, uint32_t count, around_t ends[2]) {
@@ -388,7 +365,6 @@ static nck_status_t look_around(nck_lookahead_t *self, uint32_t count, around_t 
         if (status != NCK_OK) return status;
         nck_near_before(self, count, k, beta, &ends[0].near[k]);
     }
-    share_jerk(self, count, ends);
     return NCK_OK;
 }
 

@@ -6,10 +6,9 @@
 #include <stddef.h> // offsetof
 #include <string.h> // memset
 
-#include "nck/base/fence.h"               // nck_fence_load nck_fence_store
-#include "nck/base/real.h"                // nck_larger nck_max nck_min
-#include "nck/prep/5_slope/overlap.h"     // nck_overlap_…
-#include "nck/prep/5_slope/planner.h"     // nck_planner_…
+#include "nck/base/fence.h"           // nck_fence_load nck_fence_store
+#include "nck/base/real.h"            // nck_larger nck_max nck_min
+#include "nck/prep/5_slope/planner.h" // nck_planner_…
 
 enum { PHASE_IDLE = 0, PHASE_MAKE, PHASE_INSTALL };
 
@@ -44,7 +43,6 @@ void nck_slope_init(nck_slope_t *self, const nck_terms_t *terms, nck_link_t *lin
     self->wish.rapid = 1.0;
     self->wish.tool = NCK_WISH_FREE;
     nck_planner_init(self);
-    self->overlaps = NCK_HAS_OVERLAP && nck_planner_kind(self) != NCK_SLOPE_LINEAR;
 }
 
 static void note_begun(nck_slope_t *self) {
@@ -131,7 +129,7 @@ static uint32_t final_count(const nck_slope_t *self) {
 
 // Cells of it that may become final.
 static uint32_t final_limit(const nck_slope_t *self) {
-    return self->now.complete ? self->now.n - self->now.withheld : self->now.commit;
+    return self->now.complete ? self->now.n : self->now.commit;
 }
 
 // Nothing keeps the path yet where the plan of now comes to rest, but single block does: it is a
@@ -156,8 +154,6 @@ static void tell(nck_slope_t *self) {
 static void keep_plan(nck_slope_t *self, const nck_pieces_t *pieces, uint32_t wanted) {
     const int waits = !wanted && waits_behind(self, pieces);
     const uint32_t held = waits ? (uint32_t)NCK_HELD_BLOCK : wanted;
-    const uint32_t left = self->now.n - final_count(self);
-    if (self->now.withheld > left) self->now.withheld = left;
     self->now.complete = 1;
     memset(&self->answer, 0, sizeof self->answer);
     self->anew = 1;
@@ -191,8 +187,7 @@ static uint32_t takeover(nck_slope_t *self) {
     const double least_s = periods * self->machine->period_s;
     const double twice_s = self->wish.hold || self->stands ? 0.0 : 2.0 * self->spent_s;
     const double time = nck_max(nck_max(least_s, twice_s), self->answer.reserve_s);
-    const uint32_t first = cell_after(self, final_count(self), time, self->now.n);
-    return nck_planner_seam(self, nck_larger(first, self->now.beside));
+    return nck_planner_seam(self, cell_after(self, final_count(self), time, self->now.n));
 }
 
 // Cells that the tick has taken since the plan in work was begun.
@@ -244,18 +239,16 @@ static void put_off(nck_slope_t *self, const nck_pieces_t *pieces) {
     if (self->phase == PHASE_IDLE) keep_plan(self, pieces, NCK_HELD_NOT);
 }
 
-// Nothing is drawn that would come in time: the plan behind a rest does not overlap then.
+// Nothing is drawn that would come in time.
 static int is_late(nck_slope_t *self) {
     const double least = LEAD_LEAST * self->machine->period_s;
     return self->phase != PHASE_INSTALL && nck_link_lead(self->link) < least;
 }
 
-// 1 if the answer to the operator is put off, or cells are withheld no longer.
+// 1 if the answer to the operator is put off.
 static int waits_no_longer(nck_slope_t *self, const nck_pieces_t *pieces) {
-    const int answers = self->answer.pending && self->phase == PHASE_MAKE;
-    if (!(answers || self->now.withheld > 0) || !is_late(self)) return 0;
-    self->now.withheld = 0;
-    if (answers) put_off(self, pieces);
+    if (!self->answer.pending || self->phase != PHASE_MAKE || !is_late(self)) return 0;
+    put_off(self, pieces);
     return 1;
 }
 
@@ -266,8 +259,6 @@ static void fall_into_tail(nck_slope_t *self, const nck_pieces_t *pieces) {
     self->now.n = 0;
     self->now.piece = self->now.end_piece;
     self->now.first_piece = self->now.end_piece;
-    self->now.withheld = 0;
-    self->now.beside = 0;
     self->in_tail = 1;
     keep_plan(self, pieces, self->wish.hold ? (uint32_t)NCK_HELD_RESUME : (uint32_t)NCK_HELD_NOT);
 }
@@ -310,28 +301,12 @@ static void take_over(nck_slope_t *self) {
     self->phase = PHASE_IDLE;
 }
 
-// overlap: so long before the rest of the plan of now [s]; 0: behind its cells.
-static nck_status_t publish(nck_slope_t *self, const nck_pieces_t *pieces, double overlap) {
-    nck_plan_t *const next = &self->next;
-    if (self->overlaps) next->withheld = nck_overlap_withheld(self->link, pieces, next);
-    const uint32_t most = next->complete ? next->n - next->withheld : next->commit;
-    if (!NCK_HAS_OVERLAP || !(overlap > 0.0)) {
-        return nck_link_install(self->link, self->lead_s, most);
-    }
-    return nck_link_join(self->link, overlap, self->lead_s, most, &next->begin);
-}
-
-static nck_status_t install(nck_slope_t *self, const nck_pieces_t *pieces) {
+static nck_status_t install(nck_slope_t *self) {
+    const nck_plan_t *const next = &self->next;
     int entered = 0;
-    double overlap = 0.0;
-    const uint32_t end = nck_link_end(self->link, &entered);
-    if (NCK_HAS_OVERLAP && self->kind == NCK_JOB_START && self->now.withheld > 0) {
-        if (final_count(self) != final_limit(self)) return NCK_FULL;
-        overlap = nck_overlap_join(self->machine, self->link, pieces, &self->wish, &self->now,
-                                   &self->next);
-    }
-    if (!(overlap > 0.0) && end != self->next.begin) return NCK_FULL;
-    const nck_status_t status = publish(self, pieces, overlap);
+    if (nck_link_end(self->link, &entered) != next->begin) return NCK_FULL;
+    const uint32_t most = next->complete ? next->n : next->commit;
+    const nck_status_t status = nck_link_install(self->link, self->lead_s, most);
     if (status == NCK_OK) take_over(self);
     return status == NCK_E_STATE ? NCK_OK : status;
 }
@@ -347,7 +322,7 @@ static nck_status_t begin_next(nck_slope_t *self, const nck_pieces_t *pieces) {
 // One step of the plan in work.
 static nck_status_t work(nck_slope_t *self, const nck_pieces_t *pieces) {
     if (self->phase == PHASE_IDLE) return begin_next(self, pieces);
-    if (self->phase == PHASE_INSTALL) return install(self, pieces);
+    if (self->phase == PHASE_INSTALL) return install(self);
     const nck_status_t status = nck_planner_step(self, pieces);
     switch (status) {
     case NCK_DONE: finish(self); return NCK_OK;
@@ -412,7 +387,7 @@ static void note_idle(nck_slope_t *self, const nck_pieces_t *pieces, nck_status_
 // What the plan in work says, and what it lacks if it cannot go on.
 static nck_status_t note_work(nck_slope_t *self, const nck_pieces_t *pieces, nck_status_t status) {
     if (status != NCK_EMPTY && status != NCK_FULL) return status;
-    const int waits = final_count(self) < final_limit(self) || self->now.withheld > 0;
+    const int waits = final_count(self) < final_limit(self);
     const nck_status_t told = waits ? NCK_FULL : status;
     if (waits || told == NCK_EMPTY) note_idle(self, pieces, told);
     return told;
@@ -493,6 +468,6 @@ int nck_slope_invariants(const nck_slope_t *self) {
            && now->held <= NCK_HELD_BLOCK && (int32_t)(now->end_piece - now->piece) >= 0
            && (now->end_s == NCK_PLAN_BEGIN || now->end_s >= 0.0)
            && (now->complete || now->commit < now->n)
-           && final_count(self) + (now->complete ? now->withheld : 0) <= now->n
+           && final_count(self) <= now->n
            && nck_plan_is_good(&self->wish);
 }

@@ -39,7 +39,6 @@ typedef struct nck_slope {
         double reserve_s;  // that are to pass until it takes over, at least [s]
     } answer;
     uint32_t anew;         // 1: the next plan does not begin where the plan of now meant it to
-    uint32_t overlaps;     // 1: a plan may overlap the end of the one before
     uint32_t resumes;      // as counted when the plan of now was installed
     struct {
         uint32_t taken;    // cells that the tick had taken when the plan in work was begun

@@ -6,7 +6,6 @@
 #include "nck/base/real.h"                // nck_max nck_min
 #include "nck/base/root_math.h"           // nck_root_cube
 #include "nck/prep/5_slope/ladder_math.h" // nck_ladder_raise NCK_LADDER_STRETCH
-#include "nck/prep/5_slope/overlap.h"     // NCK_OVERLAP_CELLS
 
 // Knots of a clocked path: so much of (P/J)^(1/3), which is what a corner within P takes, for this
 // P [mm] and the highest J; between these [s].
@@ -24,10 +23,6 @@
 // Where nothing is near a knot may take that part of the time that it takes to stop.
 #define KNOT_PARTS 8.0
 #define FILTERS_LEAST 2.0 // that a ramp lasts
-// Times D: what a cell lasts beside a rest, where a ladder has few cells and else.
-#define BESIDE_REST_FEW 3.0
-#define BESIDE_REST 1.25
-enum { FEW = 256 };
 
 // Axes from X on up to the last one that the machine has.
 static uint8_t axes_of(const nck_machine_t *machine) {
@@ -110,19 +105,13 @@ static int path_binds(const nck_machine_t *machine, uint8_t axes) {
     return a * a < near * sums.aa || j * j < near * sums.jj;
 }
 
-// For how long two motions may overlap: the cells of the first one wait in the ring.
-static double ride_of(const nck_machine_t *machine) {
-    const double times = NCK_PROFILE_ROWS < FEW ? BESIDE_REST_FEW : BESIDE_REST;
-    return (double)NCK_OVERLAP_CELLS * (times * nck_jerk_cell_s(machine));
-}
-
 // Only slopes that limit jerk have a filter, and wait at a rest until it has run out.
 void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     const double period = machine->period_s;
     const double filter = (double)NCK_FILTER_TAPS * period;
     const uint8_t axes = axes_of(machine);
     const nck_terms_t linear = {machine, 0, 0, 1, axes, machine->path.j_max, 0.0, 0.0, period,
-                                0.0, 0.0, 0.0, 0.0};
+                                0.0, 0.0, 0.0};
     *terms_out = linear;
     if (!NCK_HAS_JERK || machine->slope == NCK_SLOPE_LINEAR) return;
     terms_out->limits_jerk = 1;
@@ -137,5 +126,4 @@ void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
         terms_out->limits_path = (uint8_t)path_binds(machine, axes);
         set_knot(machine, axes, terms_out);
     }
-    if (NCK_HAS_OVERLAP) terms_out->ride_s = ride_of(machine);
 }

@@ -87,7 +87,7 @@ static int is_filter(const nck_filter_t *filter) {
 
 int nck_interpolate_invariants(const nck_interpolate_t *self) {
     const nck_pose_t *const pose = &self->pose;
-    double sum = pose->s + pose->left + pose->feed;
+    double sum = pose->s + pose->feed;
     for (int x = 0; x < NCK_AXIS_MAX; x++) sum += pose->axis[x];
     return sum - sum == 0.0 && pose->v >= 0.0 && pose->state <= NCK_TICK_HOLD
            && is_filter(&self->filter) && self->t_cell >= 0.0
@@ -101,7 +101,7 @@ static void see_ahead(const nck_interpolate_t *self, nck_watched_t *seen) {
     const double now = (double)self->k * self->machine->period_s - self->clock.late;
     seen->ahead_v = self->pose.v;
     seen->ahead_gain = self->pose.v - self->watch.v;
-    if (self->clock.state != NCK_CLOCK_RUNS || !self->has_cell || self->rider.on) return;
+    if (self->clock.state != NCK_CLOCK_RUNS || !self->has_cell) return;
     seen->ahead_v = nck_cell_speed(cell, now - self->t_cell);
     seen->ahead_gain = (cell->a + cell->j * (now - self->t_cell)) * self->machine->period_s;
 }

@@ -16,9 +16,6 @@
 // A brake follows the plan as long as it is slower by no more than rounding has made it.
 #define FOLLOWS_EPSILON 1e-6
 
-// Nothing in a build where no motions overlap.
-enum { OVERLAPS = NCK_HAS_OVERLAP, RIDES = OVERLAPS * NCK_STOP_RIDES };
-
 // The next path begins where the drives stand: at whole counts, or where prep says.
 static void settle_on_counts(nck_interpolate_t *self) {
     const int told = (self->told & 1u) != 0;
@@ -41,16 +38,10 @@ void nck_interpolate_init(nck_interpolate_t *self, const nck_terms_t *terms, nck
     self->cell.stop = NCK_STOP_REST;
     self->rests = 1;
     self->filter.taps = terms->taps;
-    self->rider.filter.taps = terms->taps;
 }
 
 static const nck_seg_t *seg_at(const nck_interpolate_t *self, uint32_t seq) {
     return nck_link_seg(self->link, seq);
-}
-
-// Segs before this one are done with, unless what rides is in one of them.
-static void finish_before(nck_interpolate_t *self, uint32_t seq) {
-    if (!self->rider.on) nck_link_seg_finish(self->link, seq);
 }
 
 // The first cell behind a rest.
@@ -59,21 +50,7 @@ static void set_off(nck_interpolate_t *self) {
     self->filter.taps = nck_clock_taps(self->terms, seg_at(self, self->cell.seg));
     self->rests = 0;
     nck_mean_begin(&self->filter, &self->cell);
-    finish_before(self, self->filter.seg);
-}
-
-// The cell rides from here on: the motion behind its rest begins beside it. It is not the first
-// one behind a rest.
-static void part_ways(nck_interpolate_t *self) {
-    int from_tail = 0;
-    self->rider.on = 1;
-    self->rider.cell = self->cell;
-    self->rider.t_cell = self->t_cell;
-    self->rider.late = self->clock.late;
-    self->rider.filter = self->filter;
-    nck_link_ride(self->link);
-    (void)nck_link_take(self->link, &self->cell, &from_tail);
-    set_off(self);
+    nck_link_seg_finish(self->link, self->filter.seg);
 }
 
 // The next cell; if there is none the one before stays.
@@ -107,7 +84,6 @@ static void place(nck_interpolate_t *self, const nck_seg_t *seg, double s, doubl
     pose->rapid = seg->rapid;
     pose->limit = self->brakes == NCK_TICK_STARVED ? NCK_LIMIT_STARVED : self->cell.limit;
     pose->s = seg->s_begin + s;
-    pose->left = 0.0;
     pose->v = v;
     if (nck_look_is_clocked(seg)) nck_clock_measure(seg, s, pose);
     pose->feed = seg->feed;
@@ -128,13 +104,13 @@ static void pass(nck_interpolate_t *self, double s, double v) {
     nck_filter_t *const filter = &self->filter;
     if (filter->taps == 1) {
         filter->seg = self->cell.seg;
-        finish_before(self, filter->seg);
+        nck_link_seg_finish(self->link, filter->seg);
         place(self, seg_at(self, filter->seg), s, v);
         return;
     }
     double v_mean = 0.0;
     const double s_mean = nck_mean_take(filter, self->link, &self->cell, s, v, &v_mean);
-    finish_before(self, filter->seg);
+    nck_link_seg_finish(self->link, filter->seg);
     place(self, seg_at(self, filter->seg), s_mean, v_mean);
 }
 
@@ -208,24 +184,6 @@ static void evaluate(nck_interpolate_t *self, double t) {
     pass(self, s, v);
 }
 
-// Two motions at once: the tool is where the sum of their ways is.
-static void name_rider(nck_interpolate_t *self) {
-    const nck_seg_t *const at = seg_at(self, self->rider.filter.seg);
-    const double s = self->pose.s;
-    if (s >= at->s_begin + at->length) return;
-    self->pose.line = nck_marks_line(&self->link->marks, at, s - at->s_begin, &self->modes);
-}
-
-// What rides is one period further on.
-static void ride(nck_interpolate_t *self) {
-    const double t = (double)self->k * self->machine->period_s - self->rider.late;
-    const int is_over = nck_mean_ride(&self->rider, self->link, t, &self->pose);
-    name_rider(self);
-    if (!is_over) return;
-    self->rider.on = 0;
-    finish_before(self, self->filter.seg);
-}
-
 // Nothing to execute: stay. In the middle of the path that is starvation, unless it is held there.
 static const nck_pose_t *rest(nck_interpolate_t *self) {
     const int on_path = !self->rests || self->from_tail;
@@ -244,7 +202,6 @@ static int yields(nck_interpolate_t *self, uint32_t owner) {
     if (!nck_interpolate_is_at_rest(self) && !nck_interpolate_stands(self)) return 0;
     memset(&self->cell, 0, sizeof self->cell);
     memset(&self->clock, 0, sizeof self->clock);
-    self->rider.on = 0;
     self->filter.settle = 0;
     nck_fence_store(&self->has_cell, 0);
     self->pose.seg = 0;
@@ -271,10 +228,7 @@ static inline int stands_aside(nck_interpolate_t *self) {
 
 // Time begins to count later.
 static void rebase(nck_interpolate_t *self) {
-    const uint64_t periods = nck_interpolate_rebase(&self->t_cell, self->machine->period_s);
-    if (periods == 0) return;
-    self->k -= periods;
-    self->rider.t_cell -= (double)periods * self->machine->period_s;
+    self->k -= nck_interpolate_rebase(&self->t_cell, self->machine->period_s);
 }
 
 // No cell follows: stand where the last one ends. A tail ends at rest.
@@ -309,7 +263,6 @@ static inline int cross(nck_interpolate_t *self) {
         (void)run_dry(self);
         return 0;
     }
-    if ((self->cell.stop & RIDES) && self->clock.state == NCK_CLOCK_RUNS) part_ways(self);
     return 1;
 }
 
@@ -346,7 +299,7 @@ static void hear(nck_interpolate_t *self) {
     nck_clock_t *const clock = &self->clock;
     if (nck_fence_load(&self->sync.asked)) leave_dwell(self);
     const int slows = clock->state == NCK_CLOCK_BRAKES || clock->state == NCK_CLOCK_STANDS;
-    const int begins = self->brakes && !slows && self->cell.length > 0.0 && !self->rider.on;
+    const int begins = self->brakes && !slows && self->cell.length > 0.0;
     nck_look_place_t here;
     switch (begins ? nck_look_goes_by(seg_at(self, self->cell.seg)) : NCK_GOES_NOT) {
     case NCK_GOES_BY_CLOCK: nck_ease_begin(clock); break;
@@ -412,7 +365,7 @@ static void own_time(nck_interpolate_t *self) {
     if (by_clock) nck_ease_rest(clock, moves);
 }
 
-// One period on, what rides apart.
+// One period on.
 static const nck_pose_t *tick(nck_interpolate_t *self) {
     nck_sync_turn(&self->sync, self->machine, self->pose.spindle_rpm);
     if (stands_aside(self)) return rest(self);
@@ -444,7 +397,6 @@ static void tell_rest(nck_interpolate_t *self) {
 
 static void go_on(nck_interpolate_t *self) {
     (void)tick(self);
-    if (self->rider.on & OVERLAPS) ride(self);
     if (self->brakes | self->stands) tell_rest(self);
 }
 
@@ -455,7 +407,6 @@ static void begin_halt(nck_interpolate_t *self) {
     memcpy(halt->at, self->pose.axis, sizeof halt->at);
     if (!aside) go_on(self);
     nck_halt_plan(halt, self->terms, &self->pose);
-    self->rider.on = 0;
     if (self->sync.state == NCK_SYNC_NOT) return;
     self->sync.state = NCK_SYNC_NOT;
     nck_fence_store(&self->sync.lost, 1);

@@ -9,7 +9,7 @@
 #include "nck/base/status.h"  // nck_status_t
 #include "nck/base/terms.h"   // nck_terms_t
 #include "nck/tick/6_interpolate/clock.h" // nck_clock_t
-#include "nck/tick/6_interpolate/mean.h"  // nck_filter_t nck_rider_t
+#include "nck/tick/6_interpolate/mean.h"  // nck_filter_t
 #include "nck/tick/6_interpolate/halt.h"  // nck_halt_t
 #include "nck/tick/6_interpolate/sync.h"  // nck_sync_t
 #include "nck/tick/6_interpolate/watch.h" // nck_watch_t
@@ -32,7 +32,6 @@ typedef struct nck_interpolate {
     uint32_t resume;        // any context asks to go on
     uint32_t awaits;        // 1: … which counts once this is 0; any writes it
     nck_filter_t filter;
-    nck_rider_t rider;
     nck_sync_t sync;      // the spindle, and the pass of a thread in work
     nck_clock_t clock;
     nck_watch_t watch;      // over prep

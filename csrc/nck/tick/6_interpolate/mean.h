@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Inside room 6: the mean over the last periods, and a motion that ends beside the next one.
+// Inside room 6: the mean over the last periods.
 // Face: interpolate.h.
 #ifndef NCK_TICK_MEAN_H
 #define NCK_TICK_MEAN_H
@@ -24,16 +24,6 @@ typedef struct nck_filter {
     double v[NCK_FILTER_TAPS]; // [path mm/s]
 } nck_filter_t;
 
-// The end of a motion beside the next one, which has begun before the first is at rest: what is
-// left of it is added to the place.
-typedef struct nck_rider {
-    uint32_t on;            // 1: it goes on
-    nck_cell_t cell;        // being executed
-    double t_cell;          // when the cell begins [s]
-    double late;            // as the clock was when it began to ride: it goes on by itself [s]
-    nck_filter_t filter;
-} nck_rider_t;
-
 // From the start of one seg to that of a later one [path mm].
 // Cost: linear in the segs. Context: tick.
 double nck_mean_length(const nck_link_t *link, uint32_t from, uint32_t to);
@@ -55,9 +45,5 @@ static inline double nck_mean_place(const nck_cell_t *cell, double t, double *v_
     *v_out = nck_max(0.0, nck_cell_speed(cell, t));
     return cell->s + nck_max(0.0, nck_min(nck_cell_way(cell, t), cell->length));
 }
-
-// What rides is one tick further on, at the time t [s]; what is left of it is added to the pose.
-// Returns 1 when its mean rests: nothing is added then. Cost: linear in the taps. Context: tick.
-int nck_mean_ride(nck_rider_t *rider, nck_link_t *link, double t, nck_pose_t *pose);
 
 #endif
