@@ -6,9 +6,9 @@
 //     segs as they come, in a ring ────────┴─▶ distance of every mark from the segs about it
 //
 // Of the path only the part counts that stands for the program about such a point, half the way to
-// the next one at most or as far as the tolerance: what comes by there later does not. Fixed memory:
-// where a ring is too short for that part, what it holds of it counts, a quarter of the ring on
-// either side at least.
+// the next one at most or as far as the tolerance: what comes by there later does not. Fixed
+// memory: where a ring is too short for that part, what it holds of it counts, a quarter of the
+// ring on either side at least.
 #ifndef NCK_HOST_PATH_MISS_H
 #define NCK_HOST_PATH_MISS_H
 

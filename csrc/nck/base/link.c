@@ -175,11 +175,11 @@ nck_status_t nck_link_install(nck_link_t *self, double lead, uint32_t most) {
     if ((self->base & ENTERED) != self->tail_entered) return NCK_E_STATE;
     const int entered = self->tail_entered != 0;
     if (entered && nck_fence_load(&self->tail_rested) != end + 1) return NCK_FULL;
+    const uint32_t room = nck_link_cell_room(self);
     self->tail_count[parity] = fill;
     self->tail_origin[parity] = end;
     const double least = lead_of(self) + self->tail[parity].cell[0].duration;
-    const uint32_t count =
-        copy_ahead(self, parity, 0, nck_link_cell_room(self), nck_max(lead, least), most);
+    const uint32_t count = copy_ahead(self, parity, 0, room, nck_max(lead, least), most);
     if (count == 0) return NCK_FULL;
     const uint32_t word = ((end + count) & END_MASK) << END_SHIFT
                           | (count < fill ? HAS_TAIL : 0u) | parity * PARITY;

@@ -62,16 +62,6 @@ static bend_row_t row_of(const nck_junction_t *junction, const nck_terms_t *term
     return row;
 }
 
-// A line may be longer than its coordinate, where a corner of it is moved to the outside of its
-// tolerance: the path's own limits are those of its length.
-static void keep_length(nck_junction_t *junction, const double *tangent,
-                        const nck_terms_t *terms) {
-    if (!NCK_HAS_OPTIMAL || !terms->limits_path || junction->kind != NCK_SEG_LINE) return;
-    const double longer = nck_max(1.0, nck_sqrt(product(tangent, tangent, terms->axes)));
-    junction->a_most = nck_min(junction->a_most, terms->machine->path.a_max / longer);
-    junction->j_straight = nck_min(junction->j_straight, terms->j_max / longer);
-}
-
 // How much of the path speed an axis sees at most: its direction cosine, on an arc the largest one.
 static double largest_cosine(const nck_junction_t *junction, const nck_seg_t *seg, int x,
                              const double *t_in, const double *t_out) {
@@ -277,7 +267,6 @@ static inline void make_caps(nck_junction_t *junction, const nck_seg_t *seg,
     if (seg->kind == NCK_SEG_SPLINE) make_spline(junction, terms);
     if (seg->kind == NCK_SEG_LINE) cap_by_axes(junction, seg, tangent_start, tangent_end, terms, 1);
     else cap_by_axes(junction, seg, tangent_start, tangent_end, terms, 0);
-    keep_length(junction, tangent_start, terms);
     if (is_curved(junction)) limit_arc(junction, terms);
     junction->w_near = junction->v_free * junction->v_free;
     if (terms->limits_jerk) cap_by_jerk(junction, terms->j_max);

@@ -7,7 +7,7 @@
 #include <string.h> // memset
 
 #include "nck/base/fence.h"           // nck_fence_load nck_fence_store
-#include "nck/base/real.h"            // nck_larger nck_max nck_min
+#include "nck/base/real.h"            // nck_max
 #include "nck/prep/5_slope/planner.h" // nck_planner_…
 
 enum { PHASE_IDLE = 0, PHASE_MAKE, PHASE_INSTALL };
@@ -242,7 +242,7 @@ static void put_off(nck_slope_t *self, const nck_pieces_t *pieces) {
 // Nothing is drawn that would come in time.
 static int is_late(nck_slope_t *self) {
     const double least = LEAD_LEAST * self->machine->period_s;
-    return self->phase != PHASE_INSTALL && nck_link_lead(self->link) < least;
+    return nck_link_lead(self->link) < least;
 }
 
 // 1 if the answer to the operator is put off.

@@ -9,7 +9,7 @@
 #include "nck/base/cell_math.h" // nck_cell_way nck_cell_speed
 #include "nck/base/link.h"      // nck_link_t
 #include "nck/base/real.h"      // nck_min nck_max
-#include "nck/base/records.h"   // nck_cell_t nck_pose_t
+#include "nck/base/records.h"   // nck_cell_t
 
 // The filter at the output of the jerk-limited slope: the path coordinate handed out is the mean
 // over the last taps of what the cells say. It filters the path coordinate, never the position, so
