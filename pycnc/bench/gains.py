@@ -5,9 +5,9 @@ Machine of the comparison (v 100 mm/s, a 1000 mm/s², j 10 000 mm/s³ an axis, T
 times [s], planned. cao_10_s: Cao et al. 2014 with ten blocks of look-ahead, the most that they
 advise; linear, exact path. keinert_s: the same, all blocks seen, as Keinert et al. 2014 make
 affordable. sshape_s: a jerk limit as Cao has it (`--plan sshape`), a = 0 at every junction. jerk_s:
-acceleration carried across junctions. p_0_01_s, p_0_1_s: with smoothing within 0.01 and 0.1 mm,
-where the jerk of every axis is limited, too, which on the exact path nothing can. The linear slope
-limits no jerk at all. These numbers are the same on every computer.
+acceleration carried across junctions. p_0_01_s, p_0_1_s: `optimal` within 0.01 and 0.1 mm, where
+the jerk of every axis is limited, too, which on the exact path nothing can. The linear slope limits
+no jerk at all. These numbers are the same on every computer.
 """
 
 from pycnc.bench import kernel, programs
@@ -21,8 +21,8 @@ STEPS = {
     "keinert_s": {"path.slope": "linear"},
     "sshape_s": {},
     "jerk_s": {"path.slope": "jerk"},
-    "p_0_01_s": {"path.slope": "jerk", "path.tolerance_mm": 0.01},
-    "p_0_1_s": {"path.slope": "jerk", "path.tolerance_mm": 0.1},
+    "p_0_01_s": {"path.slope": "optimal", "path.tolerance_mm": 0.01},
+    "p_0_1_s": {"path.slope": "optimal", "path.tolerance_mm": 0.1},
 }
 CASES = (
     ("micro-segments of 0.055 mm", lambda: programs.micro("")),
