@@ -57,7 +57,7 @@ class Writer:
 
     def settings(self, *more):
         """Return a machine's settings: tolerance and period."""
-        settings = ["path.slope=jerk", f"path.tolerance_mm={self.p:.5f}"]
+        settings = ["path.slope=optimal", f"path.tolerance_mm={self.p:.5f}"]
         if self.source.random() < 0.3:
             settings.append(f"kernel.period_ms={self.one_of('0.5', '2', '4')}")
         return (*settings, *more)

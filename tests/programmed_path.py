@@ -10,7 +10,7 @@ import numpy as np
 COUNTS = np.array([1e6] * 3 + [1e9] * 3 + [1e6] * 3)  # nm in a mm, ndeg in a degree: X Y Z A … W
 RAPID, LINE, ARC, DWELL, WAIT, OUTPUT, END = range(7)  # block kinds
 EXACT_STOP, CONTINUOUS, TURNS = 1, 2, 3  # path modes G61.1, G64, a cycle's under G64 P
-LINEAR = 0  # slope kind
+LINEAR, OPTIMAL = 0, 2  # slope kinds
 NEARER_MM = 1e-7  # a point this far from an arc may be nearer to another place of a helix
 NEWTON_STEPS = 3
 SHORT = 1e-4  # share of an arc over which derivatives are differences
@@ -71,7 +71,7 @@ class Path:
         self._bend(blocks)
         self.length, meant = self._lengths()
         self.begin = np.concatenate([[0.0], np.cumsum(self.length)])  # path coordinates
-        is_smoothed = blocks["path_mode"] == CONTINUOUS
+        is_smoothed = (blocks["path_mode"] == CONTINUOUS) & (limits.slope == OPTIMAL)
         self.tolerance = np.where(is_smoothed, blocks["tolerance_mm"], 0.0)
         self.keeps_jerk = (self.tolerance > 0) | (blocks["path_mode"] == TURNS)
         self._feed, self._most = self._speeds(blocks, limits, meant)

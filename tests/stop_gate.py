@@ -126,12 +126,13 @@ class Case:
 
     def keeps_jerk(self):
         """Tell whether every axis keeps its jerk all along: no junctions of an exact path."""
-        return self.slope != "linear" and (not self.exact or self.text.count("\nG1") == 1)
+        is_line = self.slope != "linear" and self.text.count("\nG1") == 1
+        return is_line or self.bends()
 
     def bends(self):
         """Tell whether its acceleration across the path is to be seen: junctions of an exact path
         are passed by jumps."""
-        return self.slope != "linear" and not self.exact
+        return self.slope == "optimal" and not self.exact
 
     def most(self):
         """Return how much of the bound a rest may take."""

@@ -58,7 +58,7 @@ static nck_status_t push_seg(nck_host_early_t *self, const nck_seg_t *seg) {
     row->seq = seg->seq;
     row->block = seg->block;
     row->rapid = seg->rapid;
-    row->is_whole = seg->keeps == NCK_KEEP_CLOCK;
+    row->is_whole = seg->kind == NCK_SEG_SPLINE;
     if (row->is_whole) {
         batch->wholes[batch->whole_count] = *seg;
         batch->whole_count++;

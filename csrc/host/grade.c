@@ -67,13 +67,12 @@ nck_status_t nck_host_grade_command(nck_host_grades_t *self) {
     for (size_t i = 0; i < self->seg_count; i++) {
         const nck_seg_t *const seg = &self->segs[i];
         nck_junction_t junction;
-        const double whole[2] = {0.0, seg->length};
         double start[NCK_AXIS_MAX];
         double end[NCK_AXIS_MAX];
         self->bad = i;
         if (!is_good_seg(seg)) return NCK_E_ARGUMENT;
         const double *const begin = nck_junction_tangents(seg, terms.axes, start, end);
-        nck_junction_make(&junction, seg, whole, begin, end, &terms);
+        nck_junction_make(&junction, seg, begin, end, &terms);
         self->v_command[i] = junction.v_max;
         self->limit[i] = junction.limit;
     }

@@ -85,7 +85,7 @@ double nck_host_totals_add(nck_host_totals_t *totals, double *since_stop_s, cons
 static nck_cell_t along_path(const nck_machine_t *machine, const nck_seg_t *seg,
                              const nck_cell_t *cell) {
     nck_cell_t told = *cell;
-    if (seg->keeps != NCK_KEEP_CLOCK || !(cell->duration > 0.0)) return told;
+    if (seg->kind != NCK_SEG_SPLINE || !(cell->duration > 0.0)) return told;
     const double v_end = nck_host_trail_speed(seg, cell, cell->duration);
     const double a = (v_end - nck_host_trail_speed(seg, cell, 0.0)) / cell->duration;
     told.a = nck_fabs(a) > STEADY * machine->path.a_max ? a : 0.0;
@@ -102,7 +102,7 @@ static uint32_t take_cells(nck_host_plan_t *plan) {
         const nck_link_t *const link = nck_link_of(plan->nck);
         const nck_seg_t *const seg = nck_link_seg(link, cell.seg);
         // Along a clocked path the tick takes no mean.
-        const uint32_t settle = seg->keeps == NCK_KEEP_CLOCK ? 0u : plan->terms.taps - 1u;
+        const uint32_t settle = seg->kind == NCK_SEG_SPLINE ? 0u : plan->terms.taps - 1u;
         const int rapid = seg->rapid;
         nck_host_spindle_cell(&plan->spindle, link, &cell);
         const nck_cell_t told = along_path(machine, seg, &cell);

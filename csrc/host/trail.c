@@ -132,7 +132,7 @@ static int goes_on(const nck_host_trail_t *self, const nck_host_stride_t *stretc
 
 double nck_host_trail_speed(const nck_seg_t *seg, const nck_cell_t *cell, double t) {
     const double v = nck_max(0.0, nck_cell_speed(cell, t));
-    if (seg->keeps != NCK_KEEP_CLOCK) return v;
+    if (seg->kind != NCK_SEG_SPLINE) return v;
     double tangent[NCK_AXIS_MAX];
     double square = 0.0;
     nck_path_tangent(seg, nck_min(seg->length, cell->s + nck_cell_way(cell, t)), tangent);

@@ -67,7 +67,7 @@ void nck_host_why_row(nck_host_why_seg_t *row, double tangent[NCK_AXIS_MAX], con
     row->line = seg->line;
     row->s_begin = seg->s_begin;
     row->stop = seg->stop;
-    row->clocked = seg->keeps == NCK_KEEP_CLOCK;
+    row->clocked = seg->kind == NCK_SEG_SPLINE;
     row->axis = NCK_AXIS_MAX;
     if (moves) nck_path_tangent_part(seg, 0.0, terms->axes, here);
     if (moves && seg->seq > 0) meet(row, tangent, here, terms);

@@ -70,7 +70,6 @@ nck_status_t nck_end_pieces(nck_t *nck, uint32_t blocks) {
 
 void nck_hurry(nck_t *nck, uint32_t periods) {
     if (!nck_slope_hurry(&nck->slope, periods)) return;
-    nck_lookahead_hurry(&nck->lookahead);
     nck_smooth_hurry(&nck->smooth);
 }
 
@@ -121,7 +120,6 @@ nck_status_t nck_set_limits(nck_t *nck, const nck_machine_t *machine) {
     if (nck_link_finished(&nck->link) != nck->link.seg_head) return NCK_FULL;
     take_limits(&nck->machine, machine);
     nck_slope_terms(&nck->machine, &nck->terms);
-    nck_smooth_adapt(&nck->smooth);
     nck_lookahead_adapt(&nck->lookahead);
     return NCK_OK;
 }
@@ -321,8 +319,7 @@ uint32_t nck_joint_axis(const nck_t *nck, uint32_t joint) { return nck->transfor
 void nck_queue(const nck_t *nck, nck_queue_t *queue_out) {
     const nck_link_t *const link = &nck->link;
     queue_out->blocks = nck->wire.blocks;
-    queue_out->smooth = nck->smooth.raw.head - nck->smooth.raw.tail;
-    if (queue_out->smooth == 0 && !nck_smooth_is_empty(&nck->smooth)) queue_out->smooth = 1;
+    queue_out->smooth = nck_smooth_is_empty(&nck->smooth) ? 0 : 1;
     queue_out->segs = link->seg_head - nck_link_finished(link);
     queue_out->outputs = link->output_head - nck_fence_load(&link->output_taken);
     queue_out->cells = nck_link_waiting(link);

@@ -12,15 +12,13 @@
 #include "nck/base/path_math.h"               // nck_path_part
 #include "nck/base/root_math.h"               // nck_root_cube
 #include "nck/base/scurve_math.h"             // nck_scurve_reach
-#include "nck/prep/3_smooth/spline_math.h"    // nck_spline_bernstein
 #include "nck/prep/4_lookahead/limit_math.h"  // nck_limit_chord nck_corner_speed
 #include "nck/prep/5_slope/hull_math.h"       // nck_hull_rise
 #include "nck/prep/5_slope/ladder_math.h"     // nck_ladder_step
 
 enum {
     ROUNDS = 16, // a fused operation differs in one of four results: never equal in so many
-    AXES = 3,    // that every build has
-    KNOTS = 6    // of a spline's piece
+    AXES = 3     // that every build has
 };
 
 typedef struct selftest {
@@ -117,17 +115,15 @@ static void take_arc(selftest_t *self, nck_seg_t *seg) {
 }
 
 static void take_spline(selftest_t *self, nck_seg_t *seg) {
-    double t[KNOTS];
-    double c[4][NCK_AXIS_MAX];
     memset(seg, 0, sizeof *seg);
     seg->kind = NCK_SEG_SPLINE;
-    t[0] = 0.0;
-    for (int k = 1; k < KNOTS; k++) t[k] = t[k - 1] + draw(self);
-    for (int k = 0; k < 4; k++) {
-        for (int x = 0; x < AXES; x++) c[k][x] = 10.0 * (double)k * draw(self);
+    for (int x = 0; x < AXES; x++) {
+        seg->start[x] = draw(self);
+        seg->shape.inner[0][x] = 10.0 * draw(self);
+        seg->shape.inner[1][x] = 20.0 * draw(self);
+        seg->end[x] = 30.0 * draw(self);
     }
-    nck_spline_bernstein(t, c, AXES, seg);
-    seg->length = t[3] - t[2];
+    seg->length = draw(self);
     take_path(self, seg);
 }
 

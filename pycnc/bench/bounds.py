@@ -2,22 +2,19 @@
 """Rows of `pycnc lab bench bounds`: how near our motion is to the fastest that there can be.
 
 Machine of the comparison (v 100 mm/s, a 1000 mm/s², j 10 000 mm/s³ an axis, T = 1 ms), every move
-at F6000, from rest to rest. ours_s: the tick's motion under the slope `jerk`, optimal_s: the plan
-under `optimal`; ours_peak: the largest share of v, a and j that it takes of any axis; ours_miss:
-how far it is from the program at most, over P. scalar_s: the best along our smoothed path under the
-planner's own caps of v, a and j (it may be above ours: below a bend's cap the planner takes more
-than the cap leaves). axis_s: the best along our smoothed path under the true limits of the axes.
-tube_s: the best anywhere within P of the program, both ways, the tool's speed held to F. IPOPT
-finds them from our motion on: optima, but local ones. Each is checked on samples 1 ms apart and
-slowed down until it keeps every limit, so such a motion exists. step: by how much half the step
-makes axis or tube faster, what is left of it is the error of the pieces. tube_miss: how far the
+at F6000, from rest to rest. ours_s: the tick's motion under the slope `optimal`; ours_peak: the
+largest share of v, a and j that it takes of any axis; ours_miss: how far it is from the program at
+most, over P. tube_s: the best anywhere within P of the program, both ways, the tool's speed held to
+F. IPOPT finds it from our motion on: an optimum, but a local one. It is checked on samples 1 ms
+apart and slowed down until it keeps every limit, so such a motion exists. step: by how much half
+the step makes it faster, what is left of it is the error of the pieces. tube_miss: how far the
 tube's motion is from the program at most, both ways, over P. These numbers are the same on every
 computer but for the last digits.
 """
 
 import numpy as np
 
-from pycnc.bench import bounds_axis, bounds_tube, butterfly, corpus, programs
+from pycnc.bench import bounds_tube, butterfly, corpus, programs
 from pycnc.bench.bounds_solve import Limits, Seen, stretched
 from pycnc.planning.plan import Plan
 from pycnc.program import Program
@@ -98,8 +95,8 @@ CASES = (
 
 
 def bench_bounds_rows(cases=CASES, step_s=STEP_S):
-    """Return rows {program, P, moves, ours_s, ours_peak, ours_miss, scalar_s, axis_s, tube_s,
-    ours_over_axis, ours_over_tube, optimal_s, optimal_over_tube, step, tube_miss, note}.
+    """Return rows {program, P, moves, ours_s, ours_peak, ours_miss, tube_s, ours_over_tube, step,
+    tube_miss, note}.
 
     Raises
     ------
@@ -119,36 +116,26 @@ def _row(name, made, tolerance, step_s):
     limits = _limits(points.shape[1])
     plan, seen, facts = ours(points, tolerance, moves)
     ours_s = float(seen.t[-1])
-    optimal_s = Plan(_program(points, tolerance, moves, programs.machine("optimal"))).time_s
     found = [bounds_tube.fastest(points, tolerance, limits, seen, step_s / k) for k in (1, 2)]
     tube_s, tube_miss = stretched(found[1], limits), miss(found[1], points) / tolerance
     row |= {"moves": len(points) - 1, "ours_s": ours_s, "ours_peak": _peak(facts),
             "ours_miss": facts["path_error_mm"] / tolerance}  # fmt: skip
-    path = bounds_axis.Path(plan.segs[plan.segs["length"] > 0], points.shape[1])
-    along = [bounds_axis.fastest(path, limits, seen, step_s / k, caps)
-             for k, caps in ((2, planned_caps(plan)), (2, None), (4, None))]  # fmt: skip
-    axis_s = stretched(along[2], limits)
-    step = max(1 - both[1].time_s / both[0].time_s for both in (found, along[1:]))
+    step = 1 - found[1].time_s / found[0].time_s
+    row |= {"tube_s": tube_s}
     return row | {
-        "scalar_s": along[0].time_s,
-        "axis_s": axis_s,
-        "tube_s": tube_s,
-        "ours_over_axis": ours_s / axis_s,
         "ours_over_tube": ours_s / tube_s,
-        "optimal_s": optimal_s,
-        "optimal_over_tube": optimal_s / tube_s,
         "step": step,
         "tube_miss": tube_miss,
-        "note": _note(found + along, ours_s, [axis_s, tube_s]),
+        "note": _note(found, ours_s, tube_s),
     }
 
 
-def _note(motions, ours_s, bounds_s):
+def _note(motions, ours_s, tube_s):
     """Return what is wrong with a row, None if nothing is."""
     unsolved = {motion.status for motion in motions if not motion.is_solved}
     found = [f"not converged: {', '.join(sorted(unsolved))}"] if unsolved else []
-    if max(bounds_s) > ours_s:
-        found.append("a bound is above ours: not the optimum")
+    if tube_s > ours_s:
+        found.append("the bound is above ours: not the optimum")
     return "; ".join(found) or None
 
 
@@ -210,18 +197,6 @@ def _corners_s(points, segs, s, t):
     found = np.interp(there, s + 1e-12 * np.arange(len(s)), t)
     found[[0, -1]] = t[[0, -1]]
     return found
-
-
-def planned_caps(plan):
-    """Return a function of path coordinates: the planner's caps of v, a and j there."""
-    nodes = plan.nodes[plan.nodes["length"] > 0]
-    begins = np.cumsum(nodes["length"]) - nodes["length"]
-
-    def caps(s):
-        at = nodes[np.searchsorted(begins, s, "right") - 1]
-        return np.sqrt(at["vv_piece"]), at["a"], at["j"]
-
-    return caps
 
 
 def miss(motion, points):

@@ -26,12 +26,12 @@ j_max_mm_s3 = {j}
 """
 
 
-def machine(slope="jerk", a=1000, j=10_000):
+def machine(slope="optimal", a=1000, j=10_000):
     """Return the machine of the comparison: three axes of 100 mm/s, a period of 1 ms.
 
     Parameters
     ----------
-    slope : {"jerk", "linear", "optimal"}
+    slope : {"optimal", "jerk", "linear"}
     a, j : int
         Acceleration [mm/s²] and jerk [mm/s³] of every axis.
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""How soon the path rests after the operator wants it to: every slope, five programs, hold, abort
+"""How soon the path rests after the operator wants it to: every slope, its programs, hold, abort
 and an override of zero, at moments spread over the run.
 
 `heard` is the first tick that is slower than without the event, `rest` the first of the rest;
@@ -11,7 +11,7 @@ import numpy as np
 import pycnc
 from pycnc.bench import programs
 
-SLOPES = ("linear", "jerk")
+SLOPES = ("linear", "jerk")  # that take the exact path
 EVENTS = {"hold": ("hold",), "abort": ("abort",), "override 0": ("override", 0, 0)}
 A, J = 1000, 10_000  # of the machine of the programs [mm/s², mm/s³]
 
@@ -33,6 +33,11 @@ PROGRAMS = {
     "zigzag 10 mm, P0.01": lambda: programs.zigzag("G64 P0.01", 60, 10.0),
 }
 
+SMOOTHED = [name for name in PROGRAMS if "P0.01" in name]  # the optimal slope's
+EXACT = [name for name in PROGRAMS if name not in SMOOTHED]
+ROWS = [(slope, name) for slope in SLOPES for name in EXACT]
+ROWS += [("optimal", name) for name in SMOOTHED]
+
 
 def _stop(undisturbed, text, machine, tick, event):
     """Return the ticks until an event is heard, and until the path rests."""
@@ -49,7 +54,7 @@ def row(slope, name, event, moments=8):
 
     Parameters
     ----------
-    slope : {"linear", "jerk"}
+    slope : {"linear", "jerk", "optimal"}
     name : str
         Of `PROGRAMS`.
     event : str
@@ -77,10 +82,5 @@ def row(slope, name, event, moments=8):
 
 
 def bench_stops_rows():
-    """Return a row for every slope, program and event."""
-    return [
-        row(slope, name, event)
-        for slope in SLOPES
-        for name in PROGRAMS
-        for event in EVENTS
-    ]
+    """Return a row for every slope, program of it and event."""
+    return [row(slope, name, event) for slope, name in ROWS for event in EVENTS]

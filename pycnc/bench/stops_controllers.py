@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""How soon a controller rests: every slope, five programs, a hold, an abort, an overrun and a soft
+"""How soon a controller rests: two slopes, three programs, a hold, an abort, an overrun and a soft
 limit, in the native program and on two Cortex-M under QEMU, preparation and all.
 
 Ticks of 1 ms from the event, at tick 600, to rest; for the soft limit, set there 20 mm ahead, what
@@ -72,7 +72,7 @@ def row(board, slope, name, events=tuple(EVENTS)):
     board : {"host", "m4f", "m7"}
     slope : {"linear", "jerk"}
     name : str
-        Of `stops.PROGRAMS`.
+        Of `stops.EXACT`.
     events : sequence of str
         Of `EVENTS`.
 
@@ -94,5 +94,5 @@ def bench_stops_controllers_rows():
         row(board, slope, name)
         for board in controller.CONTROLLERS
         for slope in stops.SLOPES
-        for name in stops.PROGRAMS
+        for name in stops.EXACT
     ]

@@ -81,9 +81,9 @@ class Path(Table):
     )
     slope: Slope = Field(
         "optimal",
-        description="Velocity profile. `linear`: acceleration-limited. `jerk`: jerk-limited. "
-        "`optimal`: the same, within a tolerance the fastest motion along the smoothest curve; "
-        "where a build has it.",
+        description="Velocity profile. `linear`: acceleration-limited, `jerk`: jerk-limited, both "
+        "on the exact path, whatever the tolerance. `optimal`: the same as `jerk`, within a "
+        "tolerance the fastest motion along the smoothest curve; where a build has it.",
     )
 
 

@@ -188,10 +188,14 @@ class Why(shown.Tables):
         if control.is_foreign(machine):
             return
         has = machine.settings.path.tolerance_mm
-        tolerance = TOLERANCE_MM if has < TOLERANCE_MM else 2 * has
-        yield f"within {tolerance:g} mm", self._on({"path.tolerance_mm": tolerance})
-        if machine.settings.path.slope == "jerk":
-            yield "slope optimal", self._on({"path.slope": "optimal"})
+        if machine.settings.path.slope == "optimal":
+            tolerance = TOLERANCE_MM if has < TOLERANCE_MM else 2 * has
+            yield f"within {tolerance:g} mm", self._on({"path.tolerance_mm": tolerance})
+        else:
+            tolerance = max(TOLERANCE_MM, has)
+            yield f"slope optimal within {tolerance:g} mm", self._on(
+                {"path.slope": "optimal", "path.tolerance_mm": tolerance}
+            )
         if self._free != self.program.text:
             free = Program(self._free, machine, file=self.program.file, keep=False)
             yield "without G61.1 and G9", free

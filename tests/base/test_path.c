@@ -58,7 +58,6 @@ static void line_begins_and_ends_to_the_bit(check_t *check)
     nck_path_point(&seg, 0.0, p);
     CHECK(check, p[0] == 0.0 && p[1] == 0.0 && p[2] == 0.0);
     CHECK(check, seg.feed == 10.0);
-    CHECK_INT(check, smooth.run.tries, 0); // of knots: there are none
 }
 
 static void block_without_length_vanishes(check_t *check)

@@ -25,7 +25,7 @@
 // A build that leaves something out refuses what these tables say; other tests hold what it says
 // then.
 #define TOLD_WHOLE                                                                    \
-    (NCK_HAS_CALLS && NCK_HAS_CONTOUR && NCK_HAS_LAYOUTS && NCK_HAS_COMP && NCK_HAS_SMOOTH \
+    (NCK_HAS_CALLS && NCK_HAS_CONTOUR && NCK_HAS_LAYOUTS && NCK_HAS_COMP && NCK_HAS_OPTIMAL \
      && NCK_AXIS_MAX == 9)
 
 enum { TOLD_MAX = 8192, TOLD_TURNS = 4000 };

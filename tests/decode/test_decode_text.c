@@ -95,13 +95,15 @@ static void assumed_defaults_are_noted_once_each(check_t *check) {
     CHECK_INT(check, self.findings, 0);
 }
 
+// A build that does not smooth notes every G64.
 static void a_g64_that_gives_no_tolerance_is_noted(check_t *check) {
+    const int64_t noted = !NCK_HAS_OPTIMAL;
     case_begin(&self);
     case_decode(&self, "G64\nM2\n");
-    CHECK_INT(check, self.findings, 0); // it means the machine's
+    CHECK_INT(check, self.findings, noted); // it means the machine's
     self.machine.path.tolerance = 0.0;
     case_decode(&self, "G64 P0.1\nG61\nM2\n");
-    CHECK_INT(check, self.findings, 0);
+    CHECK_INT(check, self.findings, noted);
     case_decode(&self, "M3\nG64\nG64 Q0.1\nM2\n");
     CHECK_INT(check, self.findings, 1);
     CHECK_INT(check, self.finding[0].code, NCK_NOTE_TOLERANCE);
@@ -113,15 +115,16 @@ static void a_p_too_small_to_smooth_within_is_noted_once(check_t *check) {
     static const char *const small[] = {"G64 P0\n", "G64 P0.00009999\n", "G20 G64 P0.0000039\n"};
     case_begin(&self);
     case_decode(&self, "G64 P0.0001\nG20\nG64 P0.000004\nM2\n"); // 0.1 µm and more
-    CHECK_INT(check, self.findings, 0);
+    CHECK_INT(check, self.findings, !NCK_HAS_OPTIMAL);
     for (unsigned k = 0; k < sizeof small / sizeof small[0]; k++) {
         char text[64];
         (void)snprintf(text, sizeof text, "%s%sM2\n", small[k], small[k]);
         case_decode(&self, text);
         CHECK_INT(check, self.findings, 1);
         CHECK_INT(check, self.finding[0].code, NCK_NOTE_TOLERANCE);
-        CHECK_INT(check, self.finding[0].letter, 'P');
         CHECK_INT(check, self.finding[0].line, 1);
+        if (!NCK_HAS_OPTIMAL) continue;
+        CHECK_INT(check, self.finding[0].letter, 'P');
         CHECK(check, self.finding[0].column > 0 && self.finding[0].value < 1e-4);
     }
 }

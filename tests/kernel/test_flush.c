@@ -9,8 +9,6 @@
 
 enum { LINES = 300, FIRST = 400, AHEAD = 50, LATE_LINES = 800 };
 enum { DROPS = 2000, BUDGET = 16 }; // a block a tick, and steps of prep
-enum { BEGUN = 250 };  // ticks until a path of chords has begun
-#define BOW 0.02     // of chords, y / x² [1/mm]
 #define LATE_S 0.05 // how much longer than its plan a line alone may take
 
 static front_t front;
@@ -112,8 +110,8 @@ static void input_that_comes_late_costs_no_stop(check_t *check)
     }
 }
 
-// One tick with a budget. What prep wants more of is one block, once: a chord of y = bow·x².
-static void drip(uint32_t *dropped, uint32_t periods, double bow)
+// One tick with a budget. What prep wants more of is one block, once.
+static void drip(uint32_t *dropped, uint32_t periods)
 {
     int wants = 1;
     for (int n = 0; n < BUDGET; n++) {
@@ -121,8 +119,7 @@ static void drip(uint32_t *dropped, uint32_t periods, double bow)
         if (status == NCK_OK) continue;
         if (status != NCK_EMPTY || !wants || *dropped == DROPS) break;
         ++*dropped;
-        const double x = 0.08 * *dropped;
-        const nck_block_in_t block = front_to(*dropped, NCK_IN_LINE, x, bow * x * x);
+        const nck_block_in_t block = front_to(*dropped, NCK_IN_LINE, 0.08 * *dropped, 0.0);
         (void)nck_push_block(&front.nck, &block);
         wants = 0;
     }
@@ -141,7 +138,7 @@ static void a_caller_with_a_budget_hurries_in_time(check_t *check)
         begin(NCK_SLOPE_JERK);
         front_push(&front, "G61 F6000\n");
         for (uint32_t tick = 0; tick < DROPS; tick++) {
-            drip(&dropped, hurries ? 60 : 0, 0.0);
+            drip(&dropped, hurries ? 60 : 0);
             if (front.pose.v > 0.0 && begun[hurries] == 0) begun[hurries] = tick;
             starved[hurries] += front.state == NCK_TICK_STARVED;
         }
@@ -150,40 +147,6 @@ static void a_caller_with_a_budget_hurries_in_time(check_t *check)
     if (!CHECK(check, starved[1] == 0 && starved[0] > 0)) {
         printf("    starved %u, hurried %u ticks\n", starved[0], starved[1]);
     }
-}
-
-// Largest share of an axis' limit of jerk, period for period; places: the last four of both axes.
-static double jerk_share(double places[2][4])
-{
-    double share = 0.0;
-    for (int k = 0; k < 2; k++) {
-        const double *const p = places[k];
-        const double jerk = (p[3] - 3.0 * p[2] + 3.0 * p[1] - p[0]) * 1e9;
-        share = fmax(share, fabs(jerk) / front.machine.axis[k].j_max);
-    }
-    return share;
-}
-
-// Chords become splines, whose speeds hang on many pieces ahead: hurried, the path begins before so
-// many are known, and keeps its limits.
-static void a_hurried_bend_begins_soon(check_t *check)
-{
-    uint32_t dropped = 0, begun = 0;
-    double places[2][4] = {{0.0}}, most = 0.0;
-    if (NCK_PROFILE < 256 || !NCK_HAS_SMOOTH) return;
-    begin(NCK_SLOPE_JERK);
-    front_push(&front, "G64 P0.01 F6000\n");
-    for (uint32_t tick = 0; tick < DROPS; tick++) {
-        drip(&dropped, 60, BOW);
-        if (front.pose.v > 0.0 && begun == 0) begun = tick;
-        for (int k = 0; k < 2; k++) {
-            memmove(places[k], places[k] + 1, 3 * sizeof places[k][0]);
-            places[k][3] = front.pose.axis[k];
-        }
-        most = fmax(most, jerk_share(places));
-    }
-    CHECK(check, most > 0.5 && most <= 1.0);
-    if (!CHECK(check, begun > 0 && begun < BEGUN)) printf("    begins at tick %u\n", begun);
 }
 
 // Flushed anywhere, a path is the same path; behind the flush it goes on to its end.
@@ -290,7 +253,6 @@ int main(void)
     CHECK_RUN(&check, what_is_known_is_executed);
     CHECK_RUN(&check, input_that_comes_late_costs_no_stop);
     CHECK_RUN(&check, a_caller_with_a_budget_hurries_in_time);
-    CHECK_RUN(&check, a_hurried_bend_begins_soon);
     CHECK_RUN(&check, behind_a_flush_the_path_goes_on);
     CHECK_RUN(&check, a_flush_has_a_place_not_a_time);
     CHECK_RUN(&check, a_flush_at_the_end_is_the_end);

@@ -125,7 +125,7 @@ static void outputs_behind_a_short_line_do_not_lengthen_it(check_t *check) {
     for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_JERK; slope++) {
         begin_talkative(slope, "G64 P0.01", 0, 0);
         motion_line(&self, "G1 X0.000029 Y0.000032");
-        for (int n = 0; n < 2 * NCK_SMOOTH_SPAN; n++) motion_line(&self, "M8");
+        for (int n = 0; n < 2 * NCK_WINDOW; n++) motion_line(&self, "M8");
         motion_line(&self, "X5 Y0");
         if (!CHECK(check, motion_run(&self, NULL))) return;
         CHECK_NEAR(check, self.peak.s, 5.0, 0.001);

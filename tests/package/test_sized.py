@@ -25,7 +25,7 @@ VALUES = {
     "NCK_LANGUAGE": range(5), "NCK_CYCLES": range(2),
     "NCK_CONTOUR": [0, *range(8, 1000)], "NCK_COMP_SPAN": [0, 16, *POWERS],
     "NCK_WINDOW": POWERS[4:], "NCK_CORNER_SPAN": [2, 4, 8, 32],
-    "NCK_FILTER_TAPS": range(1, 17), "NCK_PROFILE": [0, *POWERS], "NCK_SMOOTH_SPAN": [0, *POWERS],
+    "NCK_FILTER_TAPS": range(1, 17), "NCK_PROFILE": [0, *POWERS],
     "NCK_CLOCKED": range(64, 160, 8), "NCK_CELL_MAX": [16, 32, 64],
 }  # fmt: skip
 CALLER = """

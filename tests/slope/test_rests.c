@@ -19,21 +19,21 @@ typedef struct corners {
 } corners_t;
 
 static const corners_t cases[] = {
-    {"a bend from rest to rest", 1e-3, 2000.0, 28.0, {10000.0, 10000.0}, 0, "G64 P0.13",
+    {"a bend from rest to rest", 1e-3, 2000.0, 28.0, {10000.0, 10000.0}, 0, "G61",
      {"X-0.158 Y0.000012", "Z-0.0975"}},
     {"a chain of long lines all but straight", 1e-2, 485.0, 11300.0, {146000.0, 146000.0}, 0,
-     "G64 P0.000133", {"X-232.7 Y-1.552 Z-1.255", "X-232.7 Y-2.334 Z-2.094",
+     "G61", {"X-232.7 Y-1.552 Z-1.255", "X-232.7 Y-2.334 Z-2.094",
                        "X-232.6 Y-3.290 Z-2.729", "X-232.6 Y-4.345 Z-2.279"}},
-    {"a zone of little jerk beside a long line", 1e-3, 180.0, 900.0, {42000.0, 2400.0}, 0,
-     "G64 P0.00047 Q0", {"Z-0.026", "X-0.29 Y-0.33 Z-0.82"}},
+    {"a zone of little jerk beside a long line", 1e-3, 180.0, 900.0, {42000.0, 2400.0}, 1,
+     "G61", {"Z-0.026", "X-0.29 Y-0.33 Z-0.82"}},
     {"two lines that are as short as the filter", 1e-3, 250.0, 2500.0, {50000.0, 50000.0}, 0,
-     "G64 P0.000126", {"X-0.0015 Y-0.0011 Z0.0027", "Z0.0017"}},
+     "G61", {"X-0.0015 Y-0.0011 Z0.0027", "Z0.0017"}},
     {"a corner close behind a stop", 1e-3, 100.0, 1000.0, {1e5, 1e5}, 1, "G61",
      {"G61.1 X0.3", "G61 X0.002", "X0.002 Y0.0004"}},
     {"a corner that takes half of short lines' acceleration", 2.5e-4, 100.0, 100.0, {1e4, 1e4}, 0,
      "G61", {"X0.01", "X0.0017 Y0.0008", "X0.0033"}},
     {"a bend whose filter is wider than its lines", 1e-2, 6.5, 17.0, {9000.0, 900.0}, 0,
-     "G64 P0.0001", {"X-0.0378 Y-0.0011", "Z0.0378"}},
+     "G61", {"X-0.0378 Y-0.0011", "Z0.0378"}},
 };
 
 static motion_t motion;

@@ -26,7 +26,7 @@ CIRCLE = "G1 X40 F1200\nG3 I0 J5\nG1 X80\nM2\n"
 
 def stopping_run(moves):
     """Return a program within P, and the rows of a run that stops at the end of every move."""
-    machine = Machine.load("mill3", set=["path.slope=jerk"])
+    machine = Machine.load("mill3", set=["path.slope=optimal"])
     rows = judged.rows_of(Program(f"{HEAD}G61.1\n{moves}".encode(), machine))
     return Program(f"{HEAD}G64 P{P}\n{moves}".encode(), machine), rows
 
@@ -116,7 +116,7 @@ def test_the_checker_finds_a_circle_that_is_left_out():
 
 
 def test_the_path_error_is_what_a_run_of_fine_ticks_misses_a_corner_by():
-    machine = Machine.load("mill3", set=["path.slope=jerk", "kernel.period_ms=0.1"])
+    machine = Machine.load("mill3", set=["path.slope=optimal", "kernel.period_ms=0.1"])
     trace = pycnc.run(f"{HEAD}G64 P0.05\nG1 X40 F6000\nY40\nM2\n", machine=machine)
     nearest = np.hypot(trace["pos_x_mm"] - 40, trace["pos_y_mm"]).min()
     assert nearest > 0.04
@@ -179,7 +179,7 @@ def test_what_comes_by_later_is_not_near():
 @pytest.mark.parametrize("keep", [True, False])
 def test_a_program_read_in_pieces_is_as_far_from_its_run(monkeypatch, keep):
     """Of a long program only what is near is in memory: that is enough."""
-    machine = Machine.load("mill3", set=["path.slope=jerk"])
+    machine = Machine.load("mill3", set=["path.slope=optimal"])
     moves = [f"X{k * 0.7:.2f} Y{k % 3 * 0.6:.2f}" for k in range(120)]
     text = f"{HEAD}G64 P{P}\nG1 F3000\n{chr(10).join(moves)}\nG2 X0 Y0 R60\nM2\n".encode()
     whole = pycnc.run(Program(text, machine))
@@ -197,9 +197,9 @@ def test_a_program_read_in_pieces_is_as_far_from_its_run(monkeypatch, keep):
 def test_more_jerk_is_never_slower(mode, step):
     program = programs.zigzag(mode, 60, step)
     jerks = (10_000, 50_000, 200_000, 1_000_000, 10_000_000, 100_000_000)
-    times = [pycnc.plan(program, programs.machine("jerk", j=j)).time_s for j in jerks]
-    for less, more in pairwise(times):
-        assert more <= 1.005 * less
+    times = [pycnc.plan(program, programs.machine(j=j)).time_s for j in jerks]
+    for less, more in pairwise(times):  # a step of the optimal slope may cost up to 2 %
+        assert more <= (1.005 if mode == "G61" else 1.02) * less
     assert times[-1] < 0.8 * times[0]
 
 
@@ -226,7 +226,7 @@ def test_a_curve_of_chords_does_not_rest_at_the_vertex_beside_its_end(last, way)
     places = np.cumsum(lengths[:, None] * np.column_stack([np.cos(turns), np.sin(turns)]), axis=0)
     points = np.vstack([[0, 0], np.round(places, 6)])
     plan = pycnc.plan(Program.from_points(points, 6000, programs.machine(), tolerance=0.01))
-    assert not plan.segs["stop"].any()
+    assert not plan.segs["stop"][1:-1].any()
     jerk = programs.machine().limits("j_max")[:2].min()
     assert plan.time_s < 1.6 * (32 * lengths.sum() / jerk) ** (1 / 3)
 

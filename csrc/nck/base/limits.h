@@ -89,18 +89,12 @@
 #define NCK_PROFILE 1024
 #endif
 
-// Blocks that smoothing sees at once. Power of two, 16..65536. A spline's piece is at most about a
-// quarter as long as these blocks together: fewer make dense paths less smooth, never less exact.
-// 0 leaves smoothing out: the path is exact under G64, too.
-#ifndef NCK_SMOOTH_SPAN
-#define NCK_SMOOTH_SPAN 128
-#endif
-
-// Knots of the optimal slope's window (path.slope = "optimal"). A multiple of 8, 64..1024; 0 leaves
-// it out. It needs smoothing, the jerk-limited slope and segs for one and a half windows. 64 last
-// 0.15 to 0.26 s on the shipped machines: half of them is what a stop takes, so fewer would be no
-// window. Below 256 its solvers have single precision, half of the memory, and knots are further
-// apart, which costs a few per cent of the time.
+// Knots of the optimal slope's window (path.slope = "optimal"), which alone smooths within a
+// tolerance. A multiple of 8, 64..1024; 0 leaves it out: the path is exact under G64, too. It needs
+// the jerk-limited slope and segs for one and a half windows. 64 last 0.15 to 0.26 s on the shipped
+// machines: half of them is what a stop takes, so fewer would be no window. Below 256 its solvers
+// have single precision, half of the memory, and knots are further apart, which costs a few per
+// cent of the time.
 #ifndef NCK_CLOCKED
 #define NCK_CLOCKED 0
 #endif
@@ -155,13 +149,12 @@
 #define NCK_HAS_LATHE (NCK_LANGUAGE > 2)
 #define NCK_HAS_FOREIGN (NCK_LANGUAGE > 1)
 
-// Whether there is radius compensation; smoothing; the jerk-limited slope.
+// Whether there is radius compensation; the jerk-limited slope.
 #define NCK_HAS_COMP (NCK_LANGUAGE > 0 && NCK_COMP_SPAN > 0)
-#define NCK_HAS_SMOOTH (NCK_SMOOTH_SPAN > 0)
 #define NCK_HAS_JERK (NCK_PROFILE > 0)
 // Whether the optimal slope's solvers have single precision.
 #define NCK_SINGLE (NCK_CLOCKED > 0 && NCK_CLOCKED < 256)
-// Whether there is the optimal slope.
+// Whether there is the optimal slope, which smooths.
 #define NCK_HAS_OPTIMAL (NCK_CLOCKED > 0)
 // Whether a jerk-limited plan is made as good as it can be: a short window has no time for it.
 #define NCK_HAS_BEST (NCK_PROFILE >= 256)
@@ -170,7 +163,7 @@
 #define NCK_HAS_POLYGONS (NCK_WINDOW >= 256)
 
 // What holds the state of cycles, of layouts, of parameters and calls, of compensation, of
-// smoothing, of marks, of the jerk-limited slope. Where they are left out it is only read, as zero:
+// marks, of the jerk-limited slope. Where they are left out it is only read, as zero:
 // one place serves all members.
 #if NCK_HAS_CYCLES
 #define NCK_CYCLE_STATE struct
@@ -192,12 +185,7 @@
 #else
 #define NCK_COMP_STATE union
 #endif
-#if NCK_SMOOTH_SPAN > 0
-#define NCK_SMOOTH_STATE struct
-#else
-#define NCK_SMOOTH_STATE union
-#endif
-#if NCK_SMOOTH_SPAN > 0 && NCK_WINDOW >= 64
+#if NCK_CLOCKED > 0
 #define NCK_MARK_STATE struct
 #else
 #define NCK_MARK_STATE union
@@ -283,19 +271,10 @@
 #else
 #define NCK_COMP_ROWS 1
 #endif
-#if NCK_SMOOTH_SPAN > 0
-#define NCK_SMOOTH_ROWS NCK_SMOOTH_SPAN
-#define NCK_MERGE_ROWS 8
-#define NCK_SPLINE_ROWS 4
-#else
-#define NCK_SMOOTH_ROWS 1
-#define NCK_MERGE_ROWS 0
-#define NCK_SPLINE_ROWS 1
-#endif
 // Marks of source lines along the path alive at once: two for each seg of the ring, 16 B each. Of
 // chords shorter than half a seg some are told as a neighbour once the ring is full. Power of two.
-// A window of less than 64, for 64 KB of RAM, has none: there a seg is of the line of its begin.
-#if NCK_SMOOTH_SPAN > 0 && NCK_WINDOW >= 64
+// Without smoothing a seg is of one line.
+#if NCK_CLOCKED > 0
 #define NCK_HAS_MARKS 1
 #define NCK_MARK_MAX (4 * NCK_WINDOW)
 #else
@@ -368,22 +347,16 @@
 #if (NCK_CELL_MAX & (NCK_CELL_MAX - 1)) || NCK_CELL_MAX < 16
 #error "NCK_CELL_MAX must be a power of two, 16 at least"
 #endif
-#if NCK_SMOOTH_SPAN != 0 && (NCK_SMOOTH_SPAN < 16 || NCK_SMOOTH_SPAN > 65536)
-#error "NCK_SMOOTH_SPAN must be 0 or 16..65536"
-#endif
 #if NCK_CLOCKED != 0 && (NCK_CLOCKED < 64 || NCK_CLOCKED > 1024 || NCK_CLOCKED % 8 != 0)
 #error "NCK_CLOCKED must be 0 or 64..1024, a multiple of 8"
 #endif
-#if NCK_CLOCKED > 0 && (NCK_SMOOTH_SPAN == 0 || NCK_PROFILE == 0)
-#error "NCK_CLOCKED needs NCK_SMOOTH_SPAN and NCK_PROFILE"
+#if NCK_CLOCKED > 0 && NCK_PROFILE == 0
+#error "NCK_CLOCKED needs NCK_PROFILE"
 #endif
 // A plan begins half a window behind the one before and has all pieces of its own. Without their
 // room it would wait for what has none.
 #if NCK_CLOCKED > 0 && 3 * NCK_CLOCKED + 40 > 4 * NCK_WINDOW
 #error "3 * NCK_CLOCKED + 40 must not exceed 4 * NCK_WINDOW"
-#endif
-#if NCK_SMOOTH_SPAN & (NCK_SMOOTH_SPAN - 1)
-#error "NCK_SMOOTH_SPAN must be a power of two"
 #endif
 #if (NCK_CORNER_SPAN & (NCK_CORNER_SPAN - 1)) || NCK_CORNER_SPAN < 2
 #error "NCK_CORNER_SPAN must be a power of two, 2 at least"

@@ -16,7 +16,7 @@ typedef struct chain {
 } chain_t;
 
 static int is_clocked(const nck_link_t *self, const nck_cell_t *cell) {
-    return NCK_HAS_OPTIMAL && nck_link_seg(self, cell->seg)->keeps == NCK_KEEP_CLOCK;
+    return NCK_HAS_OPTIMAL && nck_link_seg(self, cell->seg)->kind == NCK_SEG_SPLINE;
 }
 
 // Whether a cell goes on from those before it. Behind a rest a clocked path may begin at any pace:

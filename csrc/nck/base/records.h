@@ -137,9 +137,7 @@ typedef struct nck_block {
 // Where a seg's axes keep to their jerk beside what its own straight ways and arcs ask for.
 typedef enum nck_keep {
     NCK_KEEP_NOTHING = 0, // exact path: junctions are crossed by the transfer rule
-    NCK_KEEP_TURNS = 1,   // of a block of NCK_PATH_TURNS
-    NCK_KEEP_SMOOTH = 2,  // within a tolerance: smooth, or at rest
-    NCK_KEEP_CLOCK = 3    // the same, an interval of a clocked path
+    NCK_KEEP_TURNS = 1    // of a block of NCK_PATH_TURNS
 } nck_keep_t;
 
 // The marks of a seg (marks.h).
@@ -153,7 +151,8 @@ typedef NCK_MARK_STATE nck_seg_marks {
 typedef enum nck_seg_kind {
     NCK_SEG_LINE = 0,
     NCK_SEG_ARC = 1,
-    NCK_SEG_SPLINE = 2, // cubic of Bernstein points start, inner[0], inner[1], end over s
+    NCK_SEG_SPLINE = 2, // an interval of a clocked path, whose s goes by time: cubic of Bernstein
+                        // points start, inner[0], inner[1], end
     NCK_SEG_DWELL = 3,  // at rest for dwell_s
     NCK_SEG_WAIT = 4,   // at rest until nck_resume
     NCK_SEG_THREAD = 5, // for planning at rest for its duration: the tick runs it with the spindle

@@ -13,17 +13,17 @@
     NCK_SIZED_OF(name, NCK_VERSION_MAJOR, NCK_VERSION_MINOR, NCK_AXIS_MAX, NCK_LINE_MAX, \
                  NCK_TOOL_MAX, NCK_OWN_M_MAX, NCK_VARIABLES, NCK_CALL_DEPTH, NCK_LANGUAGE, \
                  NCK_CYCLES, NCK_CONTOUR, NCK_COMP_SPAN, NCK_WINDOW, \
-                 NCK_CORNER_SPAN, NCK_FILTER_TAPS, NCK_PROFILE, NCK_SMOOTH_SPAN, NCK_CLOCKED, \
+                 NCK_CORNER_SPAN, NCK_FILTER_TAPS, NCK_PROFILE, NCK_CLOCKED, \
                  NCK_CELL_MAX)
 // The same, with the values put in for the macros.
 #define NCK_SIZED_OF(...) NCK_SIZED_BY(__VA_ARGS__)
 // The same, joined.
 #define NCK_SIZED_BY(name, major, minor, axes, line, tools, own, variables, calls, language, \
-                     cycles, contour, comp, window, corner, taps, profile, smooth, \
-                     clocked, cells) \
+                     cycles, contour, comp, window, corner, taps, profile, clocked, \
+                     cells) \
     name##_v##major##_##minor##_axes##axes##_line##line##_tools##tools##_m##own \
     ##_var##variables##_calls##calls##_language##language##_cycles##cycles \
     ##_contour##contour##_comp##comp##_window##window##_corner##corner \
-    ##_taps##taps##_profile##profile##_smooth##smooth##_clocked##clocked##_cells##cells
+    ##_taps##taps##_profile##profile##_clocked##clocked##_cells##cells
 
 #endif

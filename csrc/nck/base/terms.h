@@ -21,7 +21,6 @@ typedef struct nck_terms {
     double knot_s;       // how long an interval of a clocked path lasts by its clock [s]; 0: there
                          // are none
     double knots_most;   // so many times as long at most where nothing is near; 1 at least
-    double knot_p;       // the least tolerance that such intervals are short enough for [mm]
 } nck_terms_t;
 
 #endif

@@ -137,7 +137,6 @@ static void take_piece(nck_clocked_t *self, nck_seg_t *seg) {
     nck_stream_take(&self->stream, &piece);
     memset(seg, 0, sizeof *seg);
     seg->kind = NCK_SEG_SPLINE;
-    seg->keeps = NCK_KEEP_CLOCK;
     set_points(self, &piece, seg);
     seg->length = nck_max(piece.s[1] - piece.s[0], LENGTH_LEAST);
     seg->stop = (piece.rests & 2) != 0;

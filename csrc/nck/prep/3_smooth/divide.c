@@ -10,20 +10,14 @@
 #include "nck/base/path.h"                 // nck_path_part
 #include "nck/base/real.h"                 // nck_min nck_max nck_fabs
 #include "nck/base/spin_math.h"            // nck_spin_…
-#include "nck/prep/3_smooth/spline_math.h" // nck_spline_part
 
 #define SHARE 0.01 // of r from one end of a piece to the other: its feed is off by half of it
 
-// How much of a step along the seg the radius can change by: of a line its direction cosine, of a
-// spline no more than its steepest leg.
+// How much of a step along the seg the radius can change by: of a line its direction cosine.
 static double slant(const nck_seg_t *seg) {
     const int x = NCK_AXIS_X;
-    if (seg->kind == NCK_SEG_LINE) return nck_fabs(seg->end[x] - seg->start[x]) / seg->length;
-    if (seg->kind != NCK_SEG_SPLINE) return 1.0;
-    const double first = nck_fabs(seg->shape.inner[0][x] - seg->start[x]);
-    const double middle = nck_fabs(seg->shape.inner[1][x] - seg->shape.inner[0][x]);
-    const double last = nck_fabs(seg->end[x] - seg->shape.inner[1][x]);
-    return nck_max(first, nck_max(middle, last)) * 3.0 / seg->length;
+    if (seg->kind != NCK_SEG_LINE) return 1.0;
+    return nck_fabs(seg->end[x] - seg->start[x]) / seg->length;
 }
 
 // Distance from the spindle's axis at s.
@@ -54,13 +48,9 @@ static double piece_end(const nck_seg_t *seg, double from) {
     return rest * c < 2.0 * step ? from + 0.5 * rest : from + step / c;
 }
 
-// The part of a line or an arc; of a spline nck_spline_part knows it.
+// The part of a line or an arc.
 static void take_part(nck_seg_t *seg, double from, double to, int axes) {
     const nck_seg_t whole = *seg;
-    if (seg->kind == NCK_SEG_SPLINE) {
-        nck_spline_part(seg, from, to, axes);
-        return;
-    }
     if (from > 0.0) nck_path_part(&whole, from, axes, seg->start);
     if (to < whole.length) nck_path_part(&whole, to, axes, seg->end);
     if (seg->kind == NCK_SEG_ARC) seg->shape.arc.sweep *= (to - from) / whole.length;

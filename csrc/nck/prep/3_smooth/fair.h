@@ -18,7 +18,7 @@
 
 #include <stdint.h> // uint16_t
 
-#include "nck/base/limits.h" // NCK_AXIS_MAX NCK_SMOOTH_ROWS
+#include "nck/base/limits.h" // NCK_AXIS_MAX NCK_CLOCKED_…
 #include "nck/base/real.h"   // nck_num
 #include "nck/base/status.h" // nck_status_t
 

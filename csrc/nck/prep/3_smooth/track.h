@@ -6,7 +6,7 @@
 
 #include <stdint.h> // uint32_t
 
-#include "nck/base/limits.h"  // NCK_AXIS_MAX NCK_SMOOTH_ROWS
+#include "nck/base/limits.h"  // NCK_AXIS_MAX NCK_CLOCKED_…
 #include "nck/base/real.h"    // nck_num
 #include "nck/base/records.h" // nck_seg_t
 #include "nck/base/status.h"  // nck_status_t

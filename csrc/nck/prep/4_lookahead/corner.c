@@ -72,13 +72,12 @@ static void rest(nck_junction_t *junction, int lands) {
     if (lands) junction->end |= NCK_JUNCTION_STOP;
 }
 
-// Whether a junction, crossed moving, would break the jerk that one of its sides keeps. Within a
-// tolerance the path is smooth or at rest; else it must go straight on. turns: it does not.
+// Whether a junction, crossed moving, would break the jerk that one of its sides keeps: it must go
+// straight on. turns: it does not.
 static int breaks_jerk(const nck_junction_t *in, const nck_junction_t *out, int turns) {
     const int either = in->end | out->end;
-    const int is_within = (in->end & out->end & NCK_JUNCTION_SMOOTH) != 0;
     const int is_straight = in->kind == NCK_SEG_LINE && out->kind == NCK_SEG_LINE && !turns;
-    return (either & (NCK_JUNCTION_TURNS | NCK_JUNCTION_SMOOTH)) && !is_within && !is_straight;
+    return (either & NCK_JUNCTION_TURNS) && !is_straight;
 }
 
 void nck_corner_meet(nck_junction_t *in, nck_junction_t *out, const double *tangent_in,

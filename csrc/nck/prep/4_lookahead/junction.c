@@ -7,11 +7,7 @@
 #include "nck/base/path_math.h"               // nck_path_turns
 #include "nck/base/root_math.h"               // nck_root_cube
 #include "nck/base/thread.h"                  // nck_thread_rest_s
-#include "nck/prep/4_lookahead/budget_math.h" // nck_budget_…
 #include "nck/prep/4_lookahead/limit_math.h"  // nck_limit_…
-
-// A spline is parted if |p″|v² changes by more than this share of an axis' acceleration.
-#define PART_CHANGE 0.02
 
 static void cap_feed(nck_junction_t *junction, double v, int limit) {
     if (v < junction->v_max) {
@@ -28,44 +24,9 @@ static void cap_speed(nck_junction_t *junction, double v, int limit) {
     }
 }
 
-// Σ u_x v_x.
-static double product(const double *u, const double *v, int axes) {
-    double sum = 0.0;
-    for (int x = 0; x < axes; x++) sum += u[x] * v[x];
-    return sum;
-}
-
-// Rows of a bend: the axes', and the path's own.
-static int bent_rows(const nck_terms_t *terms) {
-    return NCK_HAS_OPTIMAL && terms->limits_path ? terms->axes + 1 : terms->axes;
-}
-
-// One of them: the limits of acceleration and jerk, and bounds on |p′|, |p″| and |p‴|.
-typedef struct bend_row {
-    double a, j, first, second, third;
-} bend_row_t;
-
-static bend_row_t row_of(const nck_junction_t *junction, const nck_terms_t *terms, int x) {
-    const nck_machine_t *const machine = terms->machine;
-    const nck_junction_bend_t *const bend = &junction->shape.bend;
-    bend_row_t row = {machine->path.a_max, machine->path.j_max, 0.0, (double)bend->along[0],
-                      (double)bend->along[1]};
-    if (x == terms->axes) {
-        row.first = nck_sqrt(product(bend->first, bend->first, terms->axes));
-        return row;
-    }
-    row.a = machine->axis[x].a_max;
-    row.j = machine->axis[x].j_max;
-    row.first = bend->first[x];
-    row.second = bend->second[x];
-    row.third = bend->third[x];
-    return row;
-}
-
 // How much of the path speed an axis sees at most: its direction cosine, on an arc the largest one.
 static double largest_cosine(const nck_junction_t *junction, const nck_seg_t *seg, int x,
                              const double *t_in, const double *t_out) {
-    if (seg->kind == NCK_SEG_SPLINE) return junction->shape.bend.first[x];
     if (!nck_path_turns(seg, x)) return nck_fabs(t_in[x]);
     const nck_seg_arc_t *const arc = &seg->shape.arc;
     const double cos_lambda = junction->shape.arc.cos_lambda;
@@ -101,7 +62,7 @@ static inline void cap_by_axes(nck_junction_t *junction, const nck_seg_t *seg, c
     }
     cap_speed(junction, v, seg->rapid ? NCK_LIMIT_RAPID : NCK_LIMIT_AXIS_V + slowest);
     junction->a_most = nck_min(machine->path.a_max, a_straight);
-    if (seg->kind != NCK_SEG_SPLINE) junction->shape.arc.a_straight = a_straight;
+    junction->shape.arc.a_straight = a_straight;
     junction->j_straight = j;
 }
 
@@ -121,76 +82,6 @@ static void make_arc(nck_junction_t *junction, const nck_seg_t *seg, const nck_m
     junction->shape.arc.cos_lambda = cos_lambda;
     junction->shape.arc.kappa = cos_lambda * cos_lambda / r;
     cap_speed(junction, v / cos_lambda, NCK_LIMIT_CHORD);
-}
-
-// The same along the path: of p″ and p‴ what lies in the direction of p′ at both ends, and what a
-// direction leaves of their length that turns by so much between them. Where p′ is nothing it is
-// all of it.
-static void bound_along(nck_junction_bend_t *bend, double (*at)[2][NCK_AXIS_MAX],
-                        const double *third, int axes) {
-    const double whole[2] = {nck_sqrt(product(bend->second, bend->second, axes)),
-                             nck_sqrt(product(bend->third, bend->third, axes))};
-    double turn = 1.0;
-    double along[2] = {0.0, 0.0};
-    double size[2];
-    for (int k = 0; k < 2; k++) size[k] = nck_sqrt(product(at[k][0], at[k][0], axes));
-    if (size[0] * size[1] > 0.0) {
-        const double cosine = product(at[0][0], at[1][0], axes) / (size[0] * size[1]);
-        turn = cosine > 0.0 ? nck_sqrt(nck_max(0.0, 2.0 - 2.0 * cosine)) : 1.0;
-        for (int k = 0; k < 2; k++) {
-            const double second = product(at[k][0], at[k][1], axes) / size[k];
-            const double twist = product(at[k][0], third, axes) / size[k];
-            along[0] = nck_max(along[0], nck_fabs(second));
-            along[1] = nck_max(along[1], nck_fabs(twist));
-        }
-    }
-    bend->along[0] = (float)nck_min(whole[0], along[0] + turn * whole[0]);
-    bend->along[1] = (float)nck_min(whole[1], along[1] + turn * whole[1]);
-}
-
-// The largest of each axis' derivatives on a spline between two places: |p″| at one of them, |p‴|
-// the same everywhere, and |p′|, a parabola, above its chord by no more than |p‴|·h²/8.
-static void bound_spline(nck_junction_t *junction, const nck_seg_t *seg, const double span[2],
-                         const nck_terms_t *terms) {
-    double at[2][2][NCK_AXIS_MAX];
-    double third[NCK_AXIS_MAX];
-    for (int k = 0; k < 2; k++) {
-        nck_path_tangent_part(seg, span[k], terms->axes, at[k][0]);
-        nck_path_second_part(seg, span[k], terms->axes, at[k][1]);
-    }
-    nck_junction_bend_t *const bend = &junction->shape.bend;
-    nck_path_third_part(seg, 0.0, terms->axes, third);
-    for (int x = 0; x < terms->axes; x++) {
-        bend->third[x] = nck_fabs(third[x]);
-        const double bulge = bend->third[x] * junction->length * junction->length / 8.0;
-        bend->first[x] = nck_max(nck_fabs(at[0][0][x]), nck_fabs(at[1][0][x])) + bulge;
-        bend->second[x] = nck_max(nck_fabs(at[0][1][x]), nck_fabs(at[1][1][x]));
-    }
-    if (bent_rows(terms) > terms->axes) bound_along(bend, at, third, terms->axes);
-}
-
-// Speed over a smooth piece: chord error, and what bends cost of every axis' acceleration and jerk.
-static void make_spline(nck_junction_t *junction, const nck_terms_t *terms) {
-    const nck_machine_t *const machine = terms->machine;
-    double bend = 0.0;
-    double twist = NCK_UNLIMITED;
-    for (int x = 0; x < bent_rows(terms); x++) {
-        const bend_row_t row = row_of(junction, terms, x);
-        if (x < terms->axes) bend += row.second * row.second;
-        if (row.second > 0.0) {
-            const double vv = nck_budget_curve(row.a, row.second);
-            cap_speed(junction, nck_sqrt(vv), NCK_LIMIT_CURVATURE);
-        }
-        if (row.third > 0.0) twist = nck_min(twist, nck_budget_twist(row.j, row.third));
-    }
-    if (bend > 0.0) {
-        const double delta = machine->path.chord_error;
-        const double v = nck_limit_sag(nck_sqrt(bend), delta, machine->period_s);
-        cap_speed(junction, v, NCK_LIMIT_CHORD);
-    }
-    if (terms->limits_jerk && twist < NCK_UNLIMITED) {
-        cap_speed(junction, nck_root_cube(twist), NCK_LIMIT_JERK);
-    }
 }
 
 // 1 if one of some axes moves straight, the last of them left out.
@@ -216,7 +107,6 @@ static inline void begin(nck_junction_t *junction, const nck_seg_t *seg) {
     junction->limit_free = NCK_LIMIT_FEED;
     junction->end = seg->stop ? NCK_JUNCTION_STOP | NCK_JUNCTION_LAST : NCK_JUNCTION_LAST;
     if (seg->keeps == NCK_KEEP_TURNS) junction->end |= NCK_JUNCTION_TURNS;
-    if (seg->keeps == NCK_KEEP_SMOOTH) junction->end |= NCK_JUNCTION_SMOOTH;
     junction->length = seg->length;
     junction->feed = seg->feed;
     junction->tool = moves_linear(seg) ? seg->feed_scale : 0.0;
@@ -231,7 +121,6 @@ static inline void begin(nck_junction_t *junction, const nck_seg_t *seg) {
 
 // A rest has no cap of its own.
 static void make_rest(nck_junction_t *junction, const nck_seg_t *seg) {
-    junction->w_near = 0.0;
     junction->j_straight = 0.0;
     junction->a_most = 0.0;
     junction->shape.dwell_s = nck_thread_rest_s(seg);
@@ -264,11 +153,9 @@ static inline void make_caps(nck_junction_t *junction, const nck_seg_t *seg,
     }
     if (seg->v_most > 0.0) cap_speed(junction, seg->v_most, NCK_LIMIT_SPINDLE);
     if (seg->kind == NCK_SEG_ARC) make_arc(junction, seg, machine);
-    if (seg->kind == NCK_SEG_SPLINE) make_spline(junction, terms);
     if (seg->kind == NCK_SEG_LINE) cap_by_axes(junction, seg, tangent_start, tangent_end, terms, 1);
     else cap_by_axes(junction, seg, tangent_start, tangent_end, terms, 0);
     if (is_curved(junction)) limit_arc(junction, terms);
-    junction->w_near = junction->v_free * junction->v_free;
     if (terms->limits_jerk) cap_by_jerk(junction, terms->j_max);
 }
 
@@ -279,7 +166,6 @@ static void make_clocked(nck_junction_t *junction, const nck_seg_t *seg, const n
     if (seg->stop) junction->end |= NCK_JUNCTION_RESTS;
     junction->end |= NCK_JUNCTION_STOP;
     junction->length = 0.0;
-    junction->w_near = 0.0;
     junction->j_straight = 0.0;
     junction->a_most = 0.0;
     junction->shape.clocked = seg->length;
@@ -288,43 +174,18 @@ static void make_clocked(nck_junction_t *junction, const nck_seg_t *seg, const n
     junction->v_free = seg->rapid ? seg->v_most : most;
 }
 
-void nck_junction_make(nck_junction_t *junction, const nck_seg_t *seg, const double span[2],
-                       const double *tangent_start, const double *tangent_end,
-                    const nck_terms_t *terms) {
+void nck_junction_make(nck_junction_t *junction, const nck_seg_t *seg, const double *tangent_start,
+                       const double *tangent_end, const nck_terms_t *terms) {
     begin(junction, seg);
     if (seg->kind >= NCK_SEG_DWELL) {
         make_rest(junction, seg);
         return;
     }
-    if (NCK_HAS_OPTIMAL && seg->keeps == NCK_KEEP_CLOCK) {
+    if (NCK_HAS_OPTIMAL && seg->kind == NCK_SEG_SPLINE) {
         make_clocked(junction, seg, terms);
         return;
     }
-    if (seg->kind == NCK_SEG_SPLINE) {
-        junction->shape.bend.s = span[0];
-        junction->length = span[1] - span[0];
-        if (span[1] < seg->length) junction->end &= NCK_JUNCTION_TURNS | NCK_JUNCTION_SMOOTH;
-        bound_spline(junction, seg, span, terms);
-    }
     make_caps(junction, seg, tangent_start, tangent_end, terms);
-}
-
-// Parts no shorter than the reach of what the filter mixes, if the curvature changes so much in the
-// seg that they will differ.
-int nck_junction_parts(const nck_junction_t *junction, const nck_terms_t *terms) {
-    const nck_machine_t *const machine = terms->machine;
-    const double mixed = junction->v_free * terms->mix_s;
-    double change = 0.0;
-    if (!(mixed > 0.0)) return 1;
-    for (int x = 0; x < terms->axes; x++) {
-        const double third = junction->shape.bend.third[x];
-        const nck_axis_t *const axis = &machine->axis[x];
-        const double bend = third * junction->length * junction->v_free * junction->v_free;
-        const double aa = nck_min(axis->a_max * axis->a_max, junction->v_free * axis->j_max);
-        change = nck_max(change, bend * bend / aa);
-    }
-    if (change < PART_CHANGE * PART_CHANGE || junction->length < 2.0 * mixed) return 1;
-    return (int)nck_min((double)NCK_SPLINE_PARTS, nck_floor(junction->length / mixed));
 }
 
 double nck_junction_a_any(const nck_machine_t *machine) {
@@ -389,44 +250,9 @@ static void settle_arc(const nck_junction_t *junction, nck_pace_t *at, const nck
     at->j = nck_min(at->j, jerk_on_arc(&junction->shape.arc, v, piece.a));
 }
 
-static double accel_left(const nck_junction_t *junction, double v, const nck_terms_t *terms) {
-    double a = junction->a_most;
-    for (int x = 0; x < bent_rows(terms); x++) {
-        const bend_row_t row = row_of(junction, terms, x);
-        if (!(row.first > 0.0)) continue;
-        a = nck_min(a, nck_budget_accel(row.a, row.first, row.second, v));
-        // At rest a bend costs nothing.
-        if (!terms->limits_jerk || !(row.second * v > 0.0)) continue;
-        a = nck_min(a, nck_budget_ramp(row.j, row.second, row.third, v));
-    }
-    return a;
-}
-
-double nck_junction_bends(const nck_junction_t *junction, const nck_terms_t *terms) {
-    double least = NCK_UNLIMITED;
-    if (is_curved(junction)) return junction->shape.arc.j_plane / junction->shape.arc.kappa;
-    if (junction->kind != NCK_SEG_SPLINE) return least;
-    for (int x = 0; x < bent_rows(terms); x++) {
-        const bend_row_t row = row_of(junction, terms, x);
-        if (row.second > 0.0) least = nck_min(least, row.j / row.second);
-    }
-    return least;
-}
-
-double nck_junction_left(const nck_junction_t *junction, double w, const nck_terms_t *terms) {
-    return accel_left(junction, nck_sqrt(w), terms);
-}
-
-// What a spline's bends leave of all axes' acceleration and jerk at speed v.
-static void limit_spline(const nck_junction_t *junction, nck_pace_t *at, double v,
-                         const nck_terms_t *terms) {
-    at->a = accel_left(junction, v, terms);
-    at->j = junction->j_straight;
-    for (int x = 0; terms->limits_jerk && x < bent_rows(terms); x++) {
-        const bend_row_t row = row_of(junction, terms, x);
-        if (!(row.first > 0.0)) continue;
-        at->j = nck_min(at->j, nck_budget_jerk(row.j, row.first, row.second, row.third, v, at->a));
-    }
+double nck_junction_bends(const nck_junction_t *junction) {
+    if (!is_curved(junction)) return NCK_UNLIMITED;
+    return junction->shape.arc.j_plane / junction->shape.arc.kappa;
 }
 
 // The least time that a junction takes at a pace, entered at w_in at most: its acceleration gains
@@ -437,16 +263,11 @@ static double least_time(const nck_junction_t *junction, double w_in, const nck_
     return v_out > v_in && v_out < at->v ? 2.0 * junction->length / (v_in + v_out) : at->time;
 }
 
-void nck_junction_settle_more(nck_junction_t *junction, double v_free, double w_in,
-                              const nck_terms_t *terms) {
-    for (int k = 0; k < NCK_PACES && junction->kind == NCK_SEG_SPLINE; k++) {
-        nck_pace_t *const at = &junction->pace[k];
-        limit_spline(junction, at, nck_min(at->v + terms->v_filter, v_free), terms);
-    }
-    for (int k = 0; k < NCK_PACES && terms->limits_jerk && is_curved(junction); k++) {
+void nck_junction_settle_more(nck_junction_t *junction, double w_in, const nck_terms_t *terms) {
+    for (int k = 0; k < NCK_PACES && is_curved(junction); k++) {
         settle_arc(junction, &junction->pace[k], terms);
     }
-    for (int k = 0; k < NCK_PACES && terms->limits_jerk; k++) {
+    for (int k = 0; k < NCK_PACES; k++) {
         junction->pace[k].least = least_time(junction, w_in, &junction->pace[k]);
     }
 }
@@ -455,14 +276,7 @@ nck_piece_limit_t nck_junction_curved(const nck_junction_t *junction, double bet
                                       const nck_terms_t *terms) {
     const nck_pace_t *const at = &junction->pace[pace];
     nck_piece_limit_t piece = {at->v * at->v, junction->v_free * junction->v_free,
-                               terms->machine->path.a_max, at->j, junction->limit};
-    if (junction->kind == NCK_SEG_SPLINE) {
-        piece.vv *= 1.0 - beta;
-        piece.vv_free = (1.0 - beta) * junction->w_near;
-        piece.a = (1.0 - beta) * at->a;
-        return piece;
-    }
-    piece.a = nck_junction_straight(junction, beta);
+                               nck_junction_straight(junction, beta), at->j, junction->limit};
     if (is_curved(junction)) limit_on_arc(junction, beta, terms, &piece);
     return piece;
 }

@@ -32,12 +32,11 @@ double nck_junction_a_any(const nck_machine_t *machine);
 // Returns the one at its start: start_out, or end_out where they are the same. Cost: constant.
 static inline const double *nck_junction_tangents(const nck_seg_t *seg, int axes, double *start_out,
                                                   double *end_out) {
-    const int is_bent = seg->kind == NCK_SEG_ARC || seg->kind == NCK_SEG_SPLINE;
     if (!(seg->length > 0.0)) {
         for (int x = 0; x < axes; x++) end_out[x] = 0.0;
         return end_out;
     }
-    if (!is_bent) {
+    if (seg->kind != NCK_SEG_ARC) {
         for (int x = 0; x < axes; x++) end_out[x] = nck_path_slope(seg, x);
         return end_out;
     }
@@ -46,32 +45,20 @@ static inline const double *nck_junction_tangents(const nck_seg_t *seg, int axes
     return start_out;
 }
 
-// Into how many junctions a spline is worth to be parted. junction: the whole seg's. Cost:
-// constant.
-int nck_junction_parts(const nck_junction_t *junction, const nck_terms_t *terms);
+// The j_x/|p″| of an arc [mm²/s³]; of a line NCK_UNLIMITED. Cost: constant.
+double nck_junction_bends(const nck_junction_t *junction);
 
-// The least j_x/|p″| of a spline or an arc [mm²/s³]. Cost: constant.
-double nck_junction_bends(const nck_junction_t *junction, const nck_terms_t *terms);
+// Fill in a seg's caps; the tangents are those at its start and end. Cost: constant.
+void nck_junction_make(nck_junction_t *junction, const nck_seg_t *seg, const double *tangent_start,
+                       const double *tangent_end, const nck_terms_t *terms);
 
-// What a spline's bends leave of the path's acceleration at v². Cost: constant.
-double nck_junction_left(const nck_junction_t *junction, double w, const nck_terms_t *terms);
+// nck_junction_settle beyond what all segs have: under a jerk limit.
+void nck_junction_settle_more(nck_junction_t *junction, double w_in, const nck_terms_t *terms);
 
-// Fill in a seg's caps, of a spline those from span[0] to span[1]; the tangents are those at the
-// seg's start and end, of a spline nobody asks for them. Cost: constant.
-void nck_junction_make(nck_junction_t *junction, const nck_seg_t *seg, const double span[2],
-                       const double *tangent_start, const double *tangent_end,
-                    const nck_terms_t *terms);
-
-// nck_junction_settle beyond what all segs have: of splines, and under a jerk limit.
-void nck_junction_settle_more(nck_junction_t *junction, double v_free, double w_in,
-                              const nck_terms_t *terms);
-
-// Speed and limits of a seg at both paces, once w_near is known; it is entered at w_in at most.
-// Cost: constant.
+// Speed and limits of a seg at both paces; it is entered at w_in at most. Cost: constant.
 static inline void nck_junction_settle(nck_junction_t *junction, double w_in,
                                        const nck_terms_t *terms) {
-    const int bends = junction->kind == NCK_SEG_SPLINE;
-    const double v_free = bends ? nck_sqrt(junction->w_near) : junction->v_free;
+    const double v_free = junction->v_free;
     const double v_over = junction->feed > 0.0 ? NCK_OVERRIDE_TOP * junction->feed : v_free;
     const double speeds[NCK_PACES] = {nck_min(junction->v_max, v_free), nck_min(v_free, v_over)};
     if (v_free < junction->v_max) junction->limit = junction->limit_free;
@@ -82,7 +69,7 @@ static inline void nck_junction_settle(nck_junction_t *junction, double w_in,
         at->j = junction->j_straight;
         at->time = junction->length / at->v;
     }
-    if (bends || terms->limits_jerk) nck_junction_settle_more(junction, v_free, w_in, terms);
+    if (terms->limits_jerk) nck_junction_settle_more(junction, w_in, terms);
 }
 
 // What the axes leave to a line's acceleration, or to an arc's outside of its plane, under beta.
@@ -97,7 +84,7 @@ static inline double nck_junction_most(const nck_junction_t *junction) {
     return junction->kind == NCK_SEG_LINE ? nck_junction_straight(junction, 0.0) : junction->a_most;
 }
 
-// nck_junction_piece of arcs and splines: bends cost of the speed and of the acceleration.
+// nck_junction_piece of an arc, whose bend costs of the speed and of the acceleration.
 // Cost: constant.
 nck_piece_limit_t nck_junction_curved(const nck_junction_t *junction, double beta, int pace,
                                       const nck_terms_t *terms);

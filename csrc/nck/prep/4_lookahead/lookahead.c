@@ -31,49 +31,25 @@ void nck_lookahead_adapt(nck_lookahead_t *self) {
     self->zone_s = nck_zone_s(self->terms);
 }
 
-// Part the newest junction, a spline's, which is not in the chain yet.
-static void push_parts(nck_lookahead_t *self, const nck_seg_t *seg, int count) {
-    const double *const tangent = self->junction.tangent;
-    double span[2] = {0.0, 0.0};
-    for (int k = 0; k < count; k++) {
-        span[1] = k + 1 < count ? seg->length * (double)(k + 1) / (double)count : seg->length;
-        nck_junction_make(nck_junction_at(self, self->junction.head), seg, span, tangent, tangent,
-                          self->terms);
-        self->junction.head++;
-        nck_near_level_newest(self);
-        span[0] = span[1];
-    }
-}
-
 nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg) {
     if (!nck_lookahead_has_room(self)) return NCK_FULL;
     self->ended = 0;
     nck_junction_t *const junction = nck_junction_at(self, self->junction.head);
     double *const tangent = self->junction.tangent;
     const int axes = self->terms->axes;
-    const double whole[2] = {0.0, seg->length};
     double end[NCK_AXIS_MAX] = {0};
     double bent[NCK_AXIS_MAX];
     const double *const start = nck_junction_tangents(seg, axes, bent, end);
-    nck_junction_make(junction, seg, whole, start, end, self->terms);
+    nck_junction_make(junction, seg, start, end, self->terms);
     nck_junction_t *const before = nck_junction_at(self, self->junction.head - 1);
     if (self->junction.head > 0) nck_corner_meet(before, junction, tangent, start, self->terms);
     memcpy(tangent, end, sizeof end);
-    const int is_spline = NCK_HAS_SMOOTH && junction->kind == NCK_SEG_SPLINE;
-    const int parts = is_spline ? nck_junction_parts(junction, self->terms) : 1;
-    if (parts > 1) {
-        push_parts(self, seg, parts);
-    } else {
-        self->junction.head++;
-        nck_near_level(self, before, junction);
-    }
+    self->junction.head++;
+    nck_near_set_out(junction, nck_near_entered_at(self, self->junction.head - 1));
     return NCK_OK;
 }
 
-void nck_lookahead_end(nck_lookahead_t *self) {
-    nck_near_end(self);
-    self->ended = 1;
-}
+void nck_lookahead_end(nck_lookahead_t *self) { self->ended = 1; }
 
 nck_status_t nck_lookahead_take(nck_lookahead_t *self, const nck_node_t *piece) {
     if (self->ended) return NCK_E_STATE;
@@ -83,8 +59,6 @@ nck_status_t nck_lookahead_take(nck_lookahead_t *self, const nck_node_t *piece) 
     if (piece->kind == NCK_SEG_WAIT) self->window.barrier = self->window.fill;
     return NCK_OK;
 }
-
-void nck_lookahead_hurry(nck_lookahead_t *self) { nck_near_hurry(self); }
 
 int nck_lookahead_is_settled(const nck_lookahead_t *self) {
     const uint32_t head = self->junction.head;
@@ -131,7 +105,7 @@ static int place(nck_lookahead_t *self) {
 // What a seg needs one after the other: its own speeds, its junction, its place in the window.
 nck_status_t nck_lookahead_step(nck_lookahead_t *self) {
     if (nck_lookahead_is_full(self)) return NCK_FULL;
-    const int settles = nck_lookahead_may_settle(self);
+    const int settles = self->junction.settled != self->junction.head;
     if (settles) nck_near_settle(self);
     const int is_decided = nck_corner_may_decide(self) && nck_corner_decide(self) == NCK_OK;
     if (place(self) || is_decided || settles) return NCK_OK;

@@ -14,11 +14,10 @@
 enum {
     NCK_PIECES_PER_SEG = 3, // head, middle, tail
     NCK_JUNCTION_MAX = 4 * NCK_CORNER_SPAN,
-    NCK_SPLINE_PARTS = NCK_SPLINE_ROWS, // junctions of a spline at most
-    NCK_JUNCTION_ROOM = NCK_JUNCTION_MAX - NCK_CORNER_SPAN - NCK_SPLINE_PARTS // for one more seg
+    NCK_JUNCTION_ROOM = NCK_JUNCTION_MAX - NCK_CORNER_SPAN - 1 // for one more seg
 };
 
-// Splines on either side that a seg's limits hang on at most.
+// Segs on either side that a seg's limits hang on at most.
 enum { NCK_NEAR_SPAN = NCK_CORNER_SPAN / 2 };
 
 // The two paces that a path is planned for: as programmed, and at a feed override beyond 100 %.
@@ -29,7 +28,7 @@ typedef struct nck_pace {
     double v;             // speed cap of the whole seg [path mm/s]
     double time;          // that the seg takes at v [s]
     double least;         // the time that the seg takes is no less, under a jerk limit [s]
-    double a;             // tangential acceleration, of a spline what is left at v [path mm/s²]
+    double a;             // tangential acceleration [path mm/s²]
     double j;             // tangential jerk left at v [path mm/s³]
     double v_corner;      // cap at the end [path mm/s]
     double share;         // β that the junction at the end may use
@@ -40,8 +39,7 @@ typedef enum nck_junction_end {
     NCK_JUNCTION_STOP = 1,  // the path rests there
     NCK_JUNCTION_LAST = 2,  // its seg ends there
     NCK_JUNCTION_TURNS = 4, // its seg keeps NCK_KEEP_TURNS
-    NCK_JUNCTION_SMOOTH = 8, // its seg keeps NCK_KEEP_SMOOTH
-    NCK_JUNCTION_RESTS = 16 // of NCK_JUNCTION_CLOCKED: the path rests there
+    NCK_JUNCTION_RESTS = 8  // of NCK_JUNCTION_CLOCKED: the path rests there
 } nck_junction_end_t;
 
 // The kind of a junction that is an interval of a clocked path: where its limits are kept is room
@@ -57,25 +55,14 @@ typedef struct nck_junction_arc {
     double kappa;         // in-plane acceleration = v²·kappa [1/mm]
 } nck_junction_arc_t;
 
-// Where a part of a spline begins, and bounds on its derivatives: by axis and, where the path's own
-// limits bind, along the path.
-typedef NCK_SMOOTH_STATE nck_junction_bend {
-    double s;                    // in its seg [path mm]
-    double first[NCK_AXIS_MAX];  // |p′|
-    double second[NCK_AXIS_MAX]; // |p″| [1/mm]
-    double third[NCK_AXIS_MAX];  // |p‴| [1/mm²]
-    float along[2];              // |p″| and |p‴| along the path
-} nck_junction_bend_t;
-
 // What only some kinds of seg have.
 typedef union nck_junction_shape {
     nck_junction_arc_t arc;   // or line
-    nck_junction_bend_t bend; // spline
     double dwell_s;           // dwell [s]; wait: 0
     double clocked;           // NCK_JUNCTION_CLOCKED: its length [path mm]
 } nck_junction_shape_t;
 
-// A junction, and the seg (of a spline: a part of it) that ends there.
+// A junction, and the seg that ends there.
 typedef struct nck_junction {
     uint32_t seq;         // of the seg
     uint8_t kind;         // nck_seg_kind_t
@@ -87,7 +74,6 @@ typedef struct nck_junction {
     double tool;          // speed of the tool / path speed; 0: rotary axes move alone
     double v_max;         // speed cap of the whole seg at 100 % [path mm/s]
     double v_free;        // the same by everything but the feed; ≥ v_max
-    double w_near;        // spline: v_free², lowered to what its neighbours let it use
     double w_out;         // v² at its end is no more: what can be gained from the last rest on
     double j_straight;    // tangential jerk limit by all axes' directions [path mm/s³]
     double a_most;        // largest tangential acceleration anywhere on the seg [path mm/s²]
@@ -110,8 +96,6 @@ typedef struct nck_lookahead {
     // junctions, counted from the start; slot = count mod NCK_JUNCTION_MAX
     struct {
         uint32_t head;    // pushed
-        uint32_t broken;  // up to here the caps of splines hang on no seg that is still to come
-        uint32_t hurried; // up to here they are taken as they are
         uint32_t settled; // segs with speeds and limits
         uint32_t decided; // junctions with v_corner and share
         uint32_t placed;  // segs turned into nodes
@@ -162,24 +146,10 @@ void nck_lookahead_end(nck_lookahead_t *self);
 // (pieces must be dropped); NCK_E_STATE after nck_lookahead_end. Cost: constant. Context: prep.
 nck_status_t nck_lookahead_take(nck_lookahead_t *self, const nck_node_t *piece);
 
-// Nobody knows when more segs come: make known what can be known without them. The path may go on
-// without a rest. Cost: constant. Context: prep.
-void nck_lookahead_hurry(nck_lookahead_t *self);
-
 // One bounded piece of work. Returns NCK_OK, NCK_EMPTY (needs segs), NCK_FULL (pieces must be
 // dropped), NCK_DONE (ended, and every piece is placed). Cost: one junction and two segs' nodes
 // with at most 2·NCK_CORNER_SPAN neighbours at both paces. Context: prep.
 nck_status_t nck_lookahead_step(nck_lookahead_t *self);
-
-// 1 if the next junction can be settled: there is one, and no cap of it will come down any more.
-// That depends on counts of segs only, unless it is hurried: a push lowers caps up to NCK_NEAR_SPAN
-// segs before it. Cost: constant. Context: prep.
-static inline int nck_lookahead_may_settle(const nck_lookahead_t *self) {
-    const uint32_t count = self->junction.settled;
-    if (count == self->junction.head) return 0;
-    return self->junction.broken > count || self->junction.head - count > NCK_NEAR_SPAN
-           || self->junction.hurried > count || self->ended;
-}
 
 // 1 if a step would do nothing but say NCK_FULL, till pieces are dropped. Cost: constant.
 // Context: prep.
@@ -192,7 +162,7 @@ static inline int nck_lookahead_is_full(const nck_lookahead_t *self) {
 static inline int nck_lookahead_is_idle(const nck_lookahead_t *self) {
     const uint32_t settled = self->junction.settled;
     const uint32_t decided = self->junction.decided;
-    if (self->ended || nck_lookahead_may_settle(self)) return 0;
+    if (self->ended || settled != self->junction.head) return 0;
     if (decided + 1 != settled && self->junction.known != self->junction.head) return 0;
     return self->junction.placed == decided || self->junction.tried == settled + decided;
 }

@@ -26,35 +26,9 @@ static inline double nck_near_entered_at(nck_lookahead_t *self, uint32_t at) {
 
 // What a junction is left at, at most, if it is entered at w_in: w_out. Cost: constant.
 static inline void nck_near_set_out(nck_junction_t *junction, double w_in) {
-    junction->w_out = nck_min(junction->w_near, w_in + 2.0 * junction->a_most * junction->length);
+    junction->w_out = nck_min(junction->v_free * junction->v_free,
+                              w_in + 2.0 * junction->a_most * junction->length);
 }
-
-// nck_near_level where the newest junction is a spline, or a chain of them may end.
-void nck_near_level_newest(nck_lookahead_t *self);
-
-// Level the caps of neighbouring splines, once the newest junction is known. Behind a line or an
-// arc that ends no chain nothing is levelled with another one. before: the junction before it, if
-// there is one. Cost: NCK_NEAR_SPAN neighbours at most.
-static inline void nck_near_level(nck_lookahead_t *self, const nck_junction_t *before,
-                                  nck_junction_t *junction) {
-    const uint32_t at = self->junction.head - 1;
-    const int is_bare = self->junction.broken == at && junction->kind != NCK_SEG_SPLINE
-                        && before->kind != NCK_SEG_SPLINE;
-    if (is_bare) {
-        self->junction.broken = at + 1;
-        nck_near_set_out(junction, at == 0 || nck_near_rests(before) ? 0.0 : before->w_out);
-    } else {
-        nck_near_level_newest(self);
-    }
-}
-
-// The path ends behind the newest junction: its splines come down to the rest there.
-// Cost: as above.
-void nck_near_end(nck_lookahead_t *self);
-
-// Nobody knows when more comes: what is known may be settled as it is, and what is still to come is
-// levelled with it. Cost: constant.
-void nck_near_hurry(nck_lookahead_t *self);
 
 // Settle the next junction's speeds and limits, as nck_lookahead_may_settle allows. Cost: constant.
 static inline void nck_near_settle(nck_lookahead_t *self) {

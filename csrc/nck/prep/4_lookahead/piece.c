@@ -123,7 +123,7 @@ static inline void leave_at_rest(nck_node_t *node, const nck_junction_t *junctio
     if (!terms->limits_jerk) return;
     node->standstill.left.j = no_more(junction->j_straight);
     const int bends = junction->kind != NCK_SEG_LINE; // told apart here, which is quicker
-    node->q_rest = bends ? half_of(no_more(nck_junction_bends(junction, terms)))
+    node->q_rest = bends ? half_of(no_more(nck_junction_bends(junction)))
                          : half_of(no_more(NCK_UNLIMITED));
 }
 
@@ -151,7 +151,7 @@ static nck_node_t *add_piece(nck_lookahead_t *self, const nck_junction_t *juncti
     piece.vv_free = over.vv_free;
     cap_node(self, node, &piece, v_corner);
     begin_node(node, junction);
-    node->s = junction->kind == NCK_SEG_SPLINE ? junction->shape.bend.s + s[0] : s[0];
+    node->s = s[0];
     node->length = s[1] - s[0];
     node->a = piece.a;
     node->a_over = nck_min(piece.a, over.a);

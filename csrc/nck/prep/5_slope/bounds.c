@@ -5,7 +5,6 @@
 #include <stddef.h> // NULL
 
 #include "nck/base/real.h"              // nck_min nck_max
-#include "nck/base/scurve_math.h"       // nck_scurve_time
 #include "nck/prep/5_slope/brake.h"     // nck_brake_along nck_brake_left nck_brake_relax
 #include "nck/prep/5_slope/hull_math.h" // nck_hull_share
 #include "nck/prep/5_slope/window.h"    // nck_window_…
@@ -100,7 +99,6 @@ static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, size_t i,
     const nck_node_t *const piece = inside->piece;
     double w_node = i > 0 ? self->work.w_cell : NCK_WINDOW_UNCAPPED;
     if (self->rung_s[i] == piece->s) w_node = nck_min(w_node, nck_window_node_cap(self, piece));
-    if (piece->kind == NCK_SEG_SPLINE) self->work.bends = 1;
     self->work.w_cell = w_cell;
     self->w_cap[i] = nck_min(w_node, w_cell);
     self->a_max[i] = limits.a;
@@ -147,7 +145,6 @@ nck_status_t nck_bounds_set(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const int holds = is_hold(self);
     inside_t inside = {(const nck_node_t *)0, 0, 0.0, 0.0, 0.0};
     nck_brake_mixed_t mixed = {0};
-    if (begin == 0) self->work.bends = 0;
     size_t i = begin;
     while (i < end) {
         limit_cell(self, pieces, i, &inside);
@@ -166,111 +163,8 @@ nck_status_t nck_bounds_set(nck_jerk_t *self, const nck_pieces_t *pieces) {
     return NCK_DONE;
 }
 
-// ---- low speeds
-
-// A cell is looked at only where this share of its cap, v², is not reached …
-#define LOW_SHARE 0.8
-// … and where it leaves less than this share of the path's acceleration.
-#define FULL_SHARE 0.95
-// The plan of now takes limits at a speed that is by so much more. So the next one has room to join
-// where it takes over; over so many cells it comes to do the same.
-#define LOW_ABOVE 1.02
-#define ENTRY_CELLS 16.0
 // Cells and what is asked about them (nck_brake_mixed_t) in a step.
 enum { LOOK_MOST = 8 * NCK_JERK_STEP };
-
-// Whether cell i may leave more at v² than at its cap: it bends. On lines and arcs it would cost a
-// quarter of planning more, and gains next to nothing.
-static inline int may_leave(const nck_jerk_t *self, const nck_pieces_t *pieces, size_t i,
-                            double w) {
-    if (!(w < LOW_SHARE * self->w_cap[i])) return 0;
-    if (self->a_max[i] >= FULL_SHARE * self->machine->path.a_max) return 0;
-    return nck_plan_there(pieces, self->rung_piece[i])->kind == NCK_SEG_SPLINE;
-}
-
-// How long it takes to a stop from speed v.
-static double stop_time(const nck_brake_limits_t *limits, double v) {
-    const nck_scurve_t ramp = {limits->a, limits->j, v};
-    return nck_scurve_time(&ramp, v);
-}
-
-// What cell i leaves at speed v: of both ways the one that stops sooner.
-static nck_brake_limits_t left_at(const nck_jerk_t *self, const nck_pieces_t *pieces, size_t i,
-                                  double v, nck_brake_mixed_t *mixed) {
-    const nck_brake_limits_t capped = {self->a_max[i], self->j_max[i]};
-    nck_brake_left_t left = {capped, capped};
-    nck_brake_left(self, pieces, self->rung_piece[i], v, mixed, &left);
-    return stop_time(&left.with_a, v) < stop_time(&left.with_j, v) ? left.with_a : left.with_j;
-}
-
-// The acceleration that cell i leaves at v² = w.
-static double accel_at(const nck_jerk_t *self, const nck_pieces_t *pieces, size_t i, double w,
-                       nck_brake_mixed_t *mixed) {
-    return left_at(self, pieces, i, nck_sqrt(w), mixed).a;
-}
-
-// From the rest at the ladder's end backward: v² that no plan is above.
-static void look_back(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    double *const most = nck_link_spare(self->link)->ladder.number[1];
-    const uint32_t n = self->work.n;
-    size_t left = n - self->work.i;
-    double w = self->work.i > 0 ? most[left] : 0.0;
-    nck_brake_mixed_t mixed = {0};
-    most[left] = w;
-    for (uint32_t done = 0; left > 0 && done + mixed.work < LOOK_MOST; done++) {
-        const size_t i = --left;
-        const int looks = may_leave(self, pieces, i, w);
-        const double a = looks ? accel_at(self, pieces, i, w, &mixed) : self->a_max[i];
-        w = nck_min(self->w_cap[i], w + 2.0 * a * self->h[i]);
-        most[i] = w;
-    }
-    self->work.i = n - (uint32_t)left;
-    if (left > 0) return;
-    self->work.forth = 1;
-    self->work.i = 0;
-    self->work.w_cell = self->profile.v * self->profile.v;
-}
-
-// Limits of a cell at the highest speed that it may be passed with.
-static void relax_cell(nck_jerk_t *self, const nck_pieces_t *pieces, size_t i, double w,
-                       nck_brake_mixed_t *mixed) {
-    const double above = 1.0 + (LOW_ABOVE - 1.0) * nck_min(1.0, (double)i / ENTRY_CELLS);
-    const nck_brake_limits_t left = left_at(self, pieces, i, above * nck_sqrt(w), mixed);
-    if (!(left.a > self->a_max[i])) return;
-    self->a_max[i] = left.a;
-    self->j_max[i] = left.j;
-    if (self->work.relaxed_to == 0) self->work.relaxed_from = (uint32_t)i;
-    self->work.relaxed_to = (uint32_t)i + 1;
-}
-
-// From the ladder's begin on, where it looks only.
-static nck_status_t look_forth(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    const double *const most = nck_link_spare(self->link)->ladder.number[1];
-    const uint32_t n = self->work.n;
-    size_t i = self->work.i;
-    double w = self->work.w_cell;
-    nck_brake_mixed_t mixed = {0};
-    for (uint32_t done = 0; i < n && done + mixed.work < LOOK_MOST; done++) {
-        const double cap = i + 1 < n ? self->w_cap[i + 1] : 0.0;
-        const int looks = may_leave(self, pieces, i, w);
-        const double begin = nck_min(w, most[i]);
-        const double a = looks ? accel_at(self, pieces, i, w, &mixed) : self->a_max[i];
-        w = nck_min(cap, w + 2.0 * a * self->h[i]);
-        const double fastest = nck_max(begin, nck_min(w, most[i + 1]));
-        if (may_leave(self, pieces, i, fastest)) relax_cell(self, pieces, i, fastest, &mixed);
-        i++;
-    }
-    self->work.i = (uint32_t)i;
-    self->work.w_cell = w;
-    return i == n ? NCK_DONE : NCK_OK;
-}
-
-nck_status_t nck_bounds_relax(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    if (!NCK_HAS_SMOOTH) return NCK_DONE; // nothing bends
-    if (self->work.forth) return look_forth(self, pieces);
-    look_back(self, pieces);
-    return NCK_OK;
-}
 
 // ---- check
 
@@ -295,35 +189,14 @@ static int keeps_limits(nck_jerk_t *self, const nck_pieces_t *pieces, size_t i,
     return keeps;
 }
 
-static int fits(const nck_brake_limits_t *limits, double a, double j) {
-    return a <= (1.0 + CHECK_MARGIN) * limits->a && j <= (1.0 + CHECK_MARGIN) * limits->j;
-}
-
-// 1 if what the plan was made with is left at the speed that it has in the end.
-static int is_left(const nck_jerk_t *self, const nck_pieces_t *pieces, size_t i,
-                   inside_t *inside, nck_brake_mixed_t *mixed) {
-    nck_brake_limits_t capped;
-    (void)limits_at(self, pieces, i, inside, &capped);
-    if (fits(&capped, self->a_max[i], self->j_max[i])) return 1;
-    nck_brake_left_t left = {capped, capped};
-    nck_brake_left(self, pieces, self->rung_piece[i], tried_speed(self, i), mixed, &left);
-    return fits(&left.with_j, self->a_max[i], self->j_max[i])
-           || fits(&left.with_a, self->a_max[i], self->j_max[i]);
-}
-
 nck_status_t nck_bounds_check(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    const int holds = is_hold(self);
-    const uint32_t end = holds ? self->work.n : self->work.relaxed_to;
-    if (self->work.coarse) return NCK_DONE;
-    if (!holds && self->work.i == 0) self->work.i = self->work.relaxed_from;
+    if (self->work.coarse || !is_hold(self)) return NCK_DONE;
     inside_t inside = {(const nck_node_t *)0, 0, 0.0, 0.0, 0.0};
     nck_brake_mixed_t mixed = {0};
     for (int n = 0; n < NCK_JERK_STEP && mixed.work < LOOK_MOST; n++) {
         const size_t i = self->work.i;
-        if (i >= end) return NCK_DONE;
-        const int keeps = holds ? keeps_limits(self, pieces, i, &inside, &mixed)
-                                : is_left(self, pieces, i, &inside, &mixed);
-        if (!keeps) return NCK_E_STATE;
+        if (i >= self->work.n) return NCK_DONE;
+        if (!keeps_limits(self, pieces, i, &inside, &mixed)) return NCK_E_STATE;
         self->work.i++;
     }
     return NCK_OK;

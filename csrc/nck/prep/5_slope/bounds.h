@@ -8,11 +8,7 @@
 // Caps and limits of every cell and node. NCK_OK: call again; NCK_DONE. Cost: bounded.
 nck_status_t nck_bounds_set(nck_jerk_t *self, const nck_pieces_t *pieces);
 
-// Where rests and low caps nearby keep a cell below its cap it is given what it leaves at the speed
-// that it can have at most. Caps stay. NCK_OK: call again; NCK_DONE. Cost: bounded.
-nck_status_t nck_bounds_relax(nck_jerk_t *self, const nck_pieces_t *pieces);
-
-// Whether a plan keeps to what bends leave at the speeds that it has in the end. NCK_OK: call
+// Whether a hold keeps to what bends leave at the speeds that it has in the end. NCK_OK: call
 // again; NCK_DONE; NCK_E_STATE: it does not. Cost: bounded.
 nck_status_t nck_bounds_check(nck_jerk_t *self, const nck_pieces_t *pieces);
 

@@ -4,7 +4,7 @@
 
 #include <string.h> // memcpy
 
-#include "nck/base/budget.h"              // NCK_BUDGET_… NCK_UNLIMITED
+#include "nck/base/budget.h"              // NCK_UNLIMITED
 #include "nck/base/real.h"                // nck_min nck_max nck_sqrt
 #include "nck/prep/5_slope/hull_math.h"   // nck_hull_share
 #include "nck/prep/5_slope/window.h"      // nck_window_…
@@ -17,6 +17,8 @@ enum { ASK_WORK = 8 };
 // Room for rounding in the sum of their lengths [mm].
 #define ROUNDING 1e-9
 
+// Share of the jerk that |p‴|v³ leaves which 3|p″|v·a may use; the rest is for p′·j.
+#define RAMP_SHARE 0.5
 // A cap is met within this share of the speed.
 #define MET_EPSILON 1e-6
 // The plan above a brake is at most so many times as fast.
@@ -159,19 +161,7 @@ static double jerk_left(const nck_jerk_t *self, double j, double at_cap,
                         const nck_brake_mixed_t *mixed, double r) {
     const double rrr = r * r * r;
     const double j_rest = nck_max(j, mixed->j_rest * self->j_scale);
-    return NCK_BUDGET_RAMP_SHARE * j_rest * (1.0 - rrr) + at_cap * rrr;
-}
-
-void nck_brake_left(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double v,
-                    nck_brake_mixed_t *mixed, nck_brake_left_t *left) {
-    const double r = mix_around(self, pieces, number, v, mixed);
-    if (!(r < 1.0) || !(v > 0.0)) return;
-    const double a = left->with_j.a;
-    const double j = left->with_j.j;
-    left->with_a.a = accel_left(a, mixed, v, r);
-    // Half of it: so it does not grow with the speed.
-    left->with_a.j = jerk_left(self, j, NCK_BUDGET_RAMP_SHARE * j, mixed, r);
-    left->with_j.a = nck_max(a, nck_min(linear_of(a, mixed, r), a / r));
+    return RAMP_SHARE * j_rest * (1.0 - rrr) + at_cap * rrr;
 }
 
 // A piece that leaves more jerk at its cap keeps that (docs/stops.md, "Known not to hold").

@@ -14,12 +14,6 @@ typedef struct nck_brake_limits {
     double j; // [path mm/s³]
 } nck_brake_limits_t;
 
-// The same at a lower speed, in two ways: bends share their jerk between a and j.
-typedef struct nck_brake_left {
-    nck_brake_limits_t with_j; // j as at the cap
-    nck_brake_limits_t with_a; // more of a, less of j
-} nck_brake_left_t;
-
 // What the output filter mixes around a place, kept for the cells that follow, where mostly it is
 // the same. All zero: nothing yet. It holds within one step.
 typedef struct nck_brake_mixed {
@@ -45,11 +39,6 @@ int nck_brake_rests(const nck_profile_t *state, double j);
 // section "Hold". Cost: linear in the pieces that the output filter mixes at v.
 void nck_brake_relax(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double v,
                      nck_brake_mixed_t *mixed, nck_brake_limits_t *limits);
-
-// What a piece leaves at speed v at least. left: both ways as at its cap; where nothing is known
-// they stay. Cost: linear in the pieces that the output filter mixes at v.
-void nck_brake_left(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double v,
-                    nck_brake_mixed_t *mixed, nck_brake_left_t *left);
 
 // How far a hold brakes: work.reach. NCK_OK: call again; NCK_EMPTY: the plan of now rests before;
 // NCK_DONE. Cost: bounded.

@@ -13,7 +13,7 @@
 #include "nck/prep/5_slope/window.h"      // nck_window_…
 
 enum {
-    PHASE_REACH = 0, PHASE_LOAD, PHASE_LAY, PHASE_LIMIT, PHASE_EASE, PHASE_BRAKE, PHASE_RELAX,
+    PHASE_REACH = 0, PHASE_LOAD, PHASE_LAY, PHASE_LIMIT, PHASE_EASE, PHASE_BRAKE,
     PHASE_PLAN, PHASE_CHECK, PHASE_DRAW
 };
 
@@ -276,7 +276,7 @@ static uint32_t worth_the_best(const nck_jerk_t *self) {
 }
 
 // The profile is worked out where its cells will be drawn.
-static void finish_relax(nck_jerk_t *self) {
+static void begin_plan(nck_jerk_t *self) {
     nck_profile_t *const p = &self->profile;
     nck_link_spare_t *const spare = nck_link_spare(self->link);
     p->s = spare->ladder.number[0];
@@ -291,16 +291,6 @@ static void finish_relax(nck_jerk_t *self) {
     p->count = worth_the_best(self);
     nck_profile_begin(p);
     enter(self, PHASE_PLAN);
-}
-
-// A hold has been given what is left at its speeds.
-static void finish_brake(nck_jerk_t *self) {
-    const int relaxes = self->work.bends && !(self->work.reach > 0.0) && !self->work.as_capped;
-    self->work.forth = 0;
-    self->work.relaxed_from = 0;
-    self->work.relaxed_to = 0;
-    enter(self, PHASE_RELAX);
-    if (!relaxes) finish_relax(self);
 }
 
 static nck_status_t finish_plan(nck_jerk_t *self, const nck_pieces_t *pieces) {
@@ -325,8 +315,7 @@ static nck_status_t check(nck_jerk_t *self, const nck_pieces_t *pieces) {
         enter(self, PHASE_DRAW);
     } else if (status == NCK_E_STATE) {
         if (self->work.redone == REDONE_MOST) return give_way(self, pieces);
-        if (self->work.reach > 0.0) self->work.redone++;
-        else self->work.as_capped = 1;
+        self->work.redone++;
         enter(self, PHASE_LIMIT);
     }
     return NCK_OK;
@@ -398,12 +387,7 @@ static nck_status_t ease(nck_jerk_t *self) {
 }
 
 static nck_status_t brake(nck_jerk_t *self) {
-    if (nck_brake_raise(self) == NCK_DONE) finish_brake(self);
-    return NCK_OK;
-}
-
-static nck_status_t relax(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    if (nck_bounds_relax(self, pieces) == NCK_DONE) finish_relax(self);
+    if (nck_brake_raise(self) == NCK_DONE) begin_plan(self);
     return NCK_OK;
 }
 
@@ -426,7 +410,6 @@ nck_status_t nck_jerk_step(nck_jerk_t *self, const nck_pieces_t *pieces) {
     case PHASE_LIMIT: return limit(self, pieces);
     case PHASE_EASE: return ease(self);
     case PHASE_BRAKE: return brake(self);
-    case PHASE_RELAX: return relax(self, pieces);
     case PHASE_PLAN: return plan(self, pieces);
     case PHASE_CHECK: return check(self, pieces);
     default: return draw(self, pieces);

@@ -53,11 +53,6 @@ typedef NCK_JERK_STATE nck_jerk {
         double reach;      // rest within this length, for a hold; 0: no hold
         uint32_t part;     // reach: of the next cell
         uint32_t tries;    // of a hold, in vain
-        uint32_t as_capped; // 1: with what pieces leave at their caps only; a hold takes more
-        uint32_t bends;    // 1: a cell of the ladder lies on a spline
-        uint32_t forth;    // relax: 1: from the ladder's begin on
-        uint32_t relaxed_from; // between these two cells some …
-        uint32_t relaxed_to;   // … have more than their pieces leave at their caps; 0: none has
         uint32_t eases;    // brake: 1: it gives way in front of steps of the limits
         uint32_t redone;   // of a hold, on one ladder
         double j_cell;     // reach, check: jerk limit of the cell before

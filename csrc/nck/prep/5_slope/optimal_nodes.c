@@ -141,7 +141,7 @@ static void look_around(nck_optimal_t *self, const nck_pieces_t *pieces, uint32_
         around_out->along[n] = (const nck_num *)0;
         if (at - work->first >= work->n || !piece || !(piece->length > 0.0)) continue;
         const nck_seg_t *const seg = nck_link_seg(self->link, piece->seg);
-        if (seg->keeps != NCK_KEEP_CLOCK) continue;
+        if (seg->kind != NCK_SEG_SPLINE) continue;
         around_out->along[n] = look_along(self, piece, at);
         if (n < NEAR_FIRST || n > NEAR_LAST) continue;
         around_out->vv = nck_min(around_out->vv, nck_optimal_wanted(self, piece));

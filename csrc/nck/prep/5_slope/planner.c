@@ -42,7 +42,7 @@ void nck_planner_init(nck_slope_t *self) {
 
 void nck_planner_choose(nck_slope_t *self, const nck_node_t *piece) {
     if (!NCK_HAS_OPTIMAL || slope_of(self->machine) != NCK_SLOPE_OPTIMAL || !piece) return;
-    const int is_clocked = nck_link_seg(self->link, piece->seg)->keeps == NCK_KEEP_CLOCK;
+    const int is_clocked = nck_link_seg(self->link, piece->seg)->kind == NCK_SEG_SPLINE;
     self->kind_in_force = is_clocked ? (uint32_t)NCK_SLOPE_OPTIMAL : (uint32_t)NCK_SLOPE_JERK;
 }
 

@@ -11,13 +11,10 @@
 // P [mm] and the highest J; between these [s].
 #define KNOT_SHARE 0.4
 #define KNOT_TOLERANCE 0.01
-// … a path within a smaller P is not clocked if knots are more of it: a window of a few corners
-// takes up to three times as long.
-#define KNOT_SHARE_MOST 1.2
 #define KNOT_LEAST 0.00025
 #define KNOT_MOST 0.05
 // … but a window lasts so many times as long as it takes to stop, since a plan sees two windows at
-// most and gives a part. Knots are raised by so much at most: a path within 2 µm is clocked yet.
+// most and gives a part. Knots are raised by so much at most.
 #define KNOT_STOPS 3.76
 #define KNOT_RAISE 1.75
 // Where nothing is near a knot may take that part of the time that it takes to stop.
@@ -75,7 +72,7 @@ static double stop_of(const nck_machine_t *machine, uint8_t axes) {
     return nck_max(stop, v / a + nck_min(a, nck_sqrt(v * j)) / j);
 }
 
-// How long an interval of a clocked path lasts by its clock, and for what P that is short enough.
+// How long an interval of a clocked path lasts by its clock.
 static void set_knot(const nck_machine_t *machine, uint8_t axes, nck_terms_t *terms_out) {
     const double stop = stop_of(machine, axes);
     double a = 0.0;
@@ -90,10 +87,8 @@ static void set_knot(const nck_machine_t *machine, uint8_t axes, nck_terms_t *te
     const double wanted = nck_max(KNOT_LEAST, nck_min(corner, KNOT_MOST));
     const double spread = KNOT_STOPS * stop / NCK_CLOCKED_WINDOW;
     const double knot = nck_max(wanted, nck_min(spread, KNOT_RAISE * wanted));
-    const double share = knot / KNOT_SHARE_MOST;
     terms_out->knot_s = knot;
     terms_out->knots_most = nck_max(1.0, stop / (KNOT_PARTS * knot));
-    terms_out->knot_p = nck_min(j * share, a) * share * share;
 }
 
 // 1 if the path's own limits hold where no axis' limit does.
@@ -111,7 +106,7 @@ void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     const double filter = (double)NCK_FILTER_TAPS * period;
     const uint8_t axes = axes_of(machine);
     const nck_terms_t linear = {machine, 0, 0, 1, axes, machine->path.j_max, 0.0, 0.0, period,
-                                0.0, 0.0, 0.0};
+                                0.0, 0.0};
     *terms_out = linear;
     if (!NCK_HAS_JERK || machine->slope == NCK_SLOPE_LINEAR) return;
     terms_out->limits_jerk = 1;

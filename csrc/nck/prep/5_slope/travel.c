@@ -15,7 +15,6 @@ enum { POINTS = 32 }; // of the path in one step
 // Bends that leave less than this share of a take some of a brake's, too: its way gets a margin.
 #define BENT 0.25
 #define BENT_MARGIN 1.3
-#define SLOWER 0.4    // of ds/dp: no coordinate of a spline changes 2.5 times as fast as s
 
 // Between two points of a curve this far apart it strays by half of that, which is kept clear [mm].
 #define STEP_LEAST 0.001
@@ -72,7 +71,7 @@ static double leave_line(const nck_travel_t *self, const nck_seg_t *seg, const d
 }
 
 static int is_clocked(const nck_seg_t *seg) {
-    return NCK_HAS_OPTIMAL && seg->keeps == NCK_KEEP_CLOCK;
+    return NCK_HAS_OPTIMAL && seg->kind == NCK_SEG_SPLINE;
 }
 
 // How far along the path a place is [path mm]: a clocked path's coordinate goes by time.
@@ -87,11 +86,10 @@ static void found(nck_travel_t *self, const nck_seg_t *seg, double s) {
     self->exit = along(seg, s);
 }
 
-// The share of a way to a limit for which s may go on along a spline: that of a clock has the
-// slopes between its points.
+// The share of a way to a limit for which s may go on along a spline: it has the slopes between its
+// points.
 static double slower(const nck_seg_t *seg) {
     double most = 0.0;
-    if (!is_clocked(seg)) return SLOWER;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const double b1 = seg->shape.inner[0][x];
         const double b2 = seg->shape.inner[1][x];
@@ -120,7 +118,7 @@ static void look_at(nck_travel_t *self, const nck_seg_t *seg) {
     double point[NCK_AXIS_MAX];
     nck_path_point(seg, self->s, point);
     const int straight = seg->kind == NCK_SEG_LINE;
-    const int spline = seg->kind == NCK_SEG_SPLINE;
+    const int spline = is_clocked(seg);
     const double room = room_at(self, point) - (straight ? 0.0 : STEP_LEAST / 2.0);
     const double leaves = straight ? leave_line(self, seg, point) : NCK_UNLIMITED;
     const double step = nck_max(spline ? slower(seg) * room : room, STEP_LEAST);

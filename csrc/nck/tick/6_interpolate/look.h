@@ -36,7 +36,7 @@ typedef struct nck_look_tool {
 
 // 1 if a seg is an interval of a clocked path. Cost: constant. Context: tick.
 static inline int nck_look_is_clocked(const nck_seg_t *seg) {
-    return NCK_HAS_OPTIMAL && seg->keeps == NCK_KEEP_CLOCK;
+    return NCK_HAS_OPTIMAL && seg->kind == NCK_SEG_SPLINE;
 }
 
 // By what a path goes on. Cost: constant. Context: tick.

@@ -68,7 +68,7 @@ static void set_feed(nck_decode_t *self, const nck_block_in_t *block) {
 static void set_path(nck_decode_t *self, const nck_block_in_t *block) {
     if (!(block->sets & NCK_IN_SETS_PATH)) return;
     const int within_p = block->path_mode == NCK_PATH_CONTINUOUS;
-    const int is_exact = !NCK_HAS_SMOOTH || block->tolerance < NCK_TOLERANCE_MIN;
+    const int is_exact = !NCK_HAS_OPTIMAL || block->tolerance < NCK_TOLERANCE_MIN;
     if (within_p && is_exact) {
         nck_decode_note_word(self, NCK_NOTE_TOLERANCE, 'P', block->tolerance);
     }

@@ -233,7 +233,7 @@ static double read_tolerance(nck_decode_t *self) {
     const int says = nck_has_word(self, 'P');
     const double tolerance =
         says ? nck_word_real(self, 'P') * nck_unit_mm(self) : nck_decode_plain_mm(self);
-    if (!NCK_HAS_SMOOTH) nck_decode_assume(self, NCK_NOTE_TOLERANCE);
+    if (!NCK_HAS_OPTIMAL) nck_decode_assume(self, NCK_NOTE_TOLERANCE);
     if (tolerance >= NCK_TOLERANCE_MIN || tolerance < 0.0) return tolerance;
     if (says) nck_decode_note_word(self, NCK_NOTE_TOLERANCE, 'P', tolerance);
     else nck_decode_assume(self, NCK_NOTE_TOLERANCE);
