@@ -48,15 +48,18 @@ static void add_guess(nck_timing_t *self, nck_timing_list_t *list, double end) {
     if (to == all) go(self, NCK_TIMING_FORWARD);
 }
 
+// The speed that is reached is carried from place to place: where it was read back from the list
+// gcc 12 made vectors of floats of it at -O3, and each place saw the old speed of the one before.
 static void pass_forward(nck_timing_t *self, nck_timing_list_t *list) {
     const int first = list->kept > 0 ? list->kept - 1 : 0;
     const int all = list->count - 1 - first;
     const int to = slice_end(self, all);
+    nck_num v = list->at[first + self->at].v;
     for (; self->at < to; self->at++) {
         nck_place_t *const at = &list->at[first + self->at];
         const double way = at[1].s - at->s;
-        const nck_num v = nck_timing_reach_speed(self->terms, NCK_TIMING_ASK, at->v, way);
-        at[1].v = nck_num_min(at[1].v, v);
+        v = nck_num_min(at[1].v, nck_timing_reach_speed(self->terms, NCK_TIMING_ASK, v, way));
+        at[1].v = v;
     }
     if (to >= all) go(self, NCK_TIMING_BACKWARD);
 }
@@ -65,13 +68,13 @@ static void pass_forward(nck_timing_t *self, nck_timing_list_t *list) {
 static void pass_backward(nck_timing_t *self, nck_timing_list_t *list) {
     const int all = list->count - 2;
     const int to = slice_end(self, all);
+    nck_num v = list->at[all - self->at + 1].v;
     for (; self->at < to; self->at++) {
         const int k = all - self->at;
         nck_place_t *const at = &list->at[k];
         const nck_num wish = k >= list->kept ? NCK_TIMING_ASK : KEEP_ASK;
-        const nck_num v =
-            nck_timing_reach_speed(self->terms, wish, at[1].v, at[1].s - at->s);
-        at->v = nck_num_min(at->v, v);
+        v = nck_num_min(at->v, nck_timing_reach_speed(self->terms, wish, v, at[1].s - at->s));
+        at->v = v;
     }
     if (to >= all) {
         go(self, NCK_TIMING_CUT);
