@@ -315,8 +315,8 @@ static double change_to_run(const ease_pace_t *pace, double period) {
     return (1.0 - pace->k - 2.0 * pace->dk * period) / (1.5 * period * period);
 }
 
-// Where no k″ is known behind which k′ can be eased off, of a clock that sets off: a plan has come
-// that brakes, so that its axes allow less than was counted on. Once it takes all that axes allow
+// Where no k″ is known behind which k′ can be eased off, easing off at once among them, of a clock
+// that sets off: a plan has come that brakes, so that its axes allow less than was counted on. Once it takes all that axes allow
 // without the plan (most), k′ is led to be gone when k is 1: the plan is never overtaken.
 static double change_at_last(const ease_pace_t *pace, double change, double most, double period) {
     const double left = nck_max(1.0 - pace->k, 0.5 * pace->dk * period);
@@ -336,9 +336,10 @@ static double choose(const ease_pace_t *pace, const ease_range_t *range, double 
     const double room = pace->way < 0.0 ? nck_min(0.0, range->low - least)
                                         : nck_max(0.0, most - least);
     const double k = pace->k + (pace->dk + 0.5 * nck_max(0.0, room) * period) * period;
+    const int steps = pace->way < 0.0 ? TRIALS : TRIALS - 1; // setting off, the last is easing off
     ease_trial_t trials[TRIALS];
     for (int i = 0; i < TRIALS; i++) {
-        const double share = (double)(TRIALS - i) / (double)TRIALS;
+        const double share = (double)(steps - i) / (double)steps;
         ease_trial_t *const trial = &trials[i];
         trial->change = least + room * share;
         trial->pace.way = pace->way;
