@@ -136,6 +136,10 @@ void nck_await(nck_t *nck, uint32_t on);
 // parameters. Context: prep.
 nck_status_t nck_answered(nck_t *nck, double value);
 
+// What the clocks of the machine say to the lines that are pushed from now on: Fanuc's #3001 #3002
+// #3011 #3012. Cost: constant. Context: prep.
+void nck_set_clock(nck_t *nck, const nck_wall_clock_t *clock);
+
 // Soft limits of an axis from now on, besides the travel that the program is held against: before
 // the path leaves them it comes to rest, as by a hold, as far in front as a brake may take that has
 // no more than what its bends leave at their caps. nck_resume goes on once they are wide enough.

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What a machine file is measured in: tables without unknown keys, numbers within their ranges."""
 
+from datetime import datetime
 from decimal import Decimal
 from typing import Annotated
 
@@ -30,6 +31,19 @@ def _digits(value):
     return text
 
 
+def _clock(value):
+    """Let a date and a time of day pass, as text or as TOML has them."""
+    if value is None:
+        return None
+    try:
+        when = value if isinstance(value, datetime) else datetime.fromisoformat(value)
+    except (TypeError, ValueError):
+        when = None
+    if when is None or when.tzinfo is not None:
+        raise ValueError("must be a date and a time of day, as in 2030-12-31 23:59:59")
+    return when.isoformat(" ", "seconds")
+
+
 Number = Annotated[Decimal, Strict(False)]
 
 
@@ -53,6 +67,7 @@ Unit = Annotated[Number, Field(ge=0, le=1), BeforeValidator(number)]
 Seconds = Annotated[Number, Field(ge=0, le=3600), BeforeValidator(number)]
 Coordinate = Annotated[Number, Field(ge=-TRAVEL_LIMIT, le=TRAVEL_LIMIT), BeforeValidator(number)]
 Switches = Annotated[str, BeforeValidator(_digits)]
+Clock = Annotated[str | None, BeforeValidator(_clock)]
 Travel = Annotated[
     Annotated[Number, Field(ge=-TRAVEL_LIMIT, le=TRAVEL_LIMIT)] | None, BeforeValidator(_travel)
 ]

@@ -96,6 +96,7 @@ def rows_of(settings):
     _fill_own_m(record, settings.m)
     _fill_own_g(record, settings.g)
     _fill_further(record, settings.work.p)
+    _fill_clock(record["clock"], settings.dialect.clock)
     return rows
 
 
@@ -208,6 +209,12 @@ def _fill_own_g(record, codes):
         row["letter"] = ord(letter) if letter else 0
         row["action"] = _ACTIONS[own.action]
         row["tolerance"] = float(own.tolerance_mm)
+
+
+def _fill_clock(row, clock):
+    if clock:
+        date, time = clock.split()
+        row["date"], row["time"] = int(date.replace("-", "")), int(time.replace(":", ""))
 
 
 def _fill_further(record, places):

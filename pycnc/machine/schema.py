@@ -14,6 +14,7 @@ from pycnc.machine.inputs import Inputs, contradictions as _input_contradictions
 from pycnc.machine.own import OwnG, OwnM, code_problems
 from pycnc.machine.quantity import (
     Acceleration,
+    Clock,
     Coordinate,
     Error,
     Feed,
@@ -203,14 +204,12 @@ class Dialect(Table):
         "minute; on a lathe that speaks Fanuc's language per revolution, and a note.",
     )
     scale_unit: Unit = Field(
-        Decimal(0),
-        description="What 1 means where a factor of Fanuc's G51 has no point: 1 (Haas), 0.001 or "
-        "0.00001; 0: such a factor is an error.",
+        Decimal(0), description="What 1 means in a factor of Fanuc's G51 without a point: 1 "
+        "(Haas), 0.001 or 0.00001; 0: such a factor is an error.",
     )
     d_offset: Literal["radius", "diameter"] | None = Field(
-        None,
-        description="What Fanuc's G10 L12 and L13 say of an offset for D. Not said: they are "
-        "refused, since controls differ.",
+        None, description="What Fanuc's G10 L12 and L13 say of an offset for D. Not said: they "
+        "are refused, since controls differ.",
     )
     comp_start: Literal["rs274", "A", "B"] | None = Field(
         None, description="How G41 begins, G40 ends (words.md); not said: A of Fanuc, else rs274."
@@ -235,7 +234,7 @@ class Dialect(Table):
     units: Literal["mm", "inch"] = Field("mm", description="Units at start (G21 or G20).")
     plane: Literal[17, 18, 19] = Field(17, description="Plane at start (G17, G18, G19).")
     arc_centre: Literal["incremental", "absolute"] = Field(
-        "incremental", description="How I J K are meant at start (G91.1 or G90.1)."
+        "incremental", description="I J K at start (G91.1 or G90.1)."
     )
     block_skip: bool = Field(False, description="Lines that begin with / are skipped.")
     skip_switches: Switches = Field(
@@ -249,13 +248,15 @@ class Dialect(Table):
         "9000.nc or name.ngc, seen from where pycnc runs.",
     )
     optional_stop: bool = Field(False, description="M1 stops.")
+    clock: Clock = Field(
+        None, description="Day and time of #3011, #3012; not said: 2000-01-01 00:00:00, and a note"
+    )
     from_line: int = Field(
         0, ge=0, le=4_294_967_295,
         description="Line where programs begin, in the state they have there; 0: with the first.",
     )
     feed_default_mm_min: Feed = Field(
-        Decimal(0),
-        description="Feed in force before the first F; 0: none, a cut without F is an error.",
+        Decimal(0), description="Feed before the first F; 0: none, a cut without F is an error."
     )
 
 

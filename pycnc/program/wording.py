@@ -322,6 +322,15 @@ WORDING = {
         "of all",
         "to say it: [tool.{value:.0f}] in the machine file, or a tool table: --tools tool.tbl",
     ),
+    "assumed-clock": (
+        "#{value:.0f} asks what day or time it is: it is taken to be 2000-01-01 00:00:00 all along",
+        'to say it: --set dialect.clock="2030-12-31 23:59:59"',
+    ),
+    "timer-read": (
+        "#3001 and #3002 know no moves, since lines are read ahead of them: #3001 counts a "
+        "millisecond each time it is read, and a wait by it is not in the time",
+        "say a wait by G4 P, in milliseconds",
+    ),
     "feed-kept": (
         "{found} is no feed: Marlin does not hear it, and the one before stays",
         "say a feed, or leave F out: Klipper ends a print there",

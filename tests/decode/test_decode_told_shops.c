@@ -71,7 +71,7 @@ static const told_row_t drill_rows[] = {
      "1 line X1 F100; 2 rapid~ Z1; 2 line~ Z-2; 2 rapid~ Z1; 2 rapid~ Z-1.746; 2 line~ Z-3;"
      " 2 dwell for 0.5; 2 rapid~ Z1; 3 line X5; 4 line X6; 5 line~ Z-1; 5 rapid~ Z1;"
      " 7 line X7; 8 arc X9 G17 about 8 0 by -180; 9 line~ Z-1; 9 rapid~ Z1; 11 rapid X0;"
-     " !12:14 scale-unit Q 3000/0; 15 rapid X1; !16:11 unsupported # 3001/0; 17 rapid Y7"},
+     " !12:14 scale-unit Q 3000/0; 15 rapid X1; ?16:0 timer-read # 3001; 17 rapid Y7"},
     {"G31 X5. F100.\n#100=#5061\nG0 X[#100+1.]\nG31 Z-1.\nX1.\nG31\nX2.\n",
      "1 line X5 F100 stop; 3 rapid X6 smooth; 4 line Z-1 stop; 5 rapid X1 smooth;"
      " !6:1 word-missing X 31/0"},
@@ -86,6 +86,25 @@ static void cycles_and_probes_of_mills(check_t *check) {
     told_tools(&self);
     self.machine.dialect.probe = NCK_PROBE_MISSES;
     TOLD(check, &self, drill_rows);
+}
+
+static const told_row_t clock_rows[] = {
+    {"#100=#3001 #101=#3001\nG0 X#3001 Y#101\n#3001=90\nN4 IF[#3001LT95]GOTO4\nX#3001\n"
+     "#3001=#0\nX#3001 Y[#3012+1] Z[#3011-20000100]\n#3002=2\nX#3002\n",
+     "?1:0 timer-read # 3001; 2 rapid X1; 5 rapid X96; ?7:0 assumed-clock # 3012;"
+     " 7 rapid X0 Y1 Z1; 9 rapid X2"},
+};
+
+static const told_row_t said_clock_rows[] = {
+    {"G0 X#3001 Y#3002 Z[#3011-20301200]\nX[#3012-235900]\nX#3001\n#3001=#3001-50\nX#3001\n",
+     "?1:0 timer-read # 3001; 1 rapid X50 Y1.5 Z31; 2 rapid X58; 3 rapid X51; 5 rapid X2"},
+};
+
+static void clocks_tell_what_the_machine_knows(check_t *check) {
+    told_begin(&self, NCK_DIALECT_FANUC);
+    TOLD(check, &self, clock_rows);
+    self.machine.clock = (nck_wall_clock_t){20301231, 235958, 50, 5400};
+    TOLD(check, &self, said_clock_rows);
 }
 
 static const told_row_t printer_rows[] = {
@@ -185,6 +204,7 @@ int main(void) {
     CHECK_RUN(&check, further_systems_have_their_zeros);
     CHECK_RUN(&check, a_switch_skips_lines_and_what_stands_behind);
     CHECK_RUN(&check, cycles_and_probes_of_mills);
+    CHECK_RUN(&check, clocks_tell_what_the_machine_knows);
     CHECK_RUN(&check, printers_have_codes_that_move_nothing);
     CHECK_RUN(&check, subprograms_end_by_any_return);
     CHECK_RUN(&check, overrides_are_switched_one_by_one);

@@ -255,7 +255,28 @@ def test_block_skip_is_for_every_number_and_for_the_rest_of_a_line():
 def test_clocks_and_switches_of_the_operator_change_no_path():
     text = "#3001=0\nG0 X1. #3003=1\n#3004=7\nX2.\nM30\n"
     same(HEAD + text, f"{HEAD}G0 X1.\nX2.\nM30\n", mill())
-    assert decode(f"{HEAD}#100=#3012\nM30\n", mill())[1] == [("unsupported", 4)]
+
+
+def waiting(rng):
+    """Return two texts: one that waits by #3001 and asks for the day, and what is left of it."""
+    texts, day = [[], []], rng.randrange(1, 29)
+    for n in range(rng.randrange(1, 6)):
+        begin, wait, x = rng.randrange(2000), rng.randrange(300), rng.randrange(90)
+        loop = rng.choice([f"N{n + 1} IF[#3001LT{begin + wait}]GOTO{n + 1}",
+                           f"WHILE[#3001LT{begin + wait}]DO1\nEND1"])
+        texts[0] += [f"#3001={begin}", loop, f"X[{x}.+#3001-{begin + wait}] Y[#3011-20301200]"]
+        texts[1] += [f"X{x + 1}. Y{day}."]
+    return [HEAD + "\n".join([*lines, "M30", ""]) for lines in texts], day
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_wait_by_a_clock_ends_and_the_day_is_the_machine_s(seed):
+    (text, other), day = waiting(random.Random(seed))
+    machine = mill(f"dialect.clock=2030-12-{day:02} 06:05:04")
+    same(text, other, machine)
+    assert decode(text, machine)[2] == ["timer-read"]
+    assert decode(text, mill())[2] == ["timer-read", "assumed-clock"]
+    assert decode(f"{HEAD}X#3012\n", machine)[0]["target_nm"][-2][0] == 60504 * 10**6
 
 
 # ---- holes on a circle

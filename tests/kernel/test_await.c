@@ -153,11 +153,25 @@ static void an_answer_is_a_session_s(check_t *check)
     CHECK_INT(check, nck_answered(&front.nck, 1.0), NCK_E_STATE);
 }
 
+static void a_clock_is_told_to_the_lines_that_come(check_t *check)
+{
+    const nck_wall_clock_t clock = {20301231, 60504, 7, 0};
+    front_machine(&front, NCK_SLOPE_LINEAR);
+    front.machine.dialect.base = NCK_DIALECT_FANUC;
+    (void)front_start(&front);
+    (void)nck_begin_session(&front.nck, &before);
+    nck_set_clock(&front.nck, &clock);
+    line(check, "G1 X[#3012-60500+#3001] F900.\n");
+    rest(check);
+    if (ASKS) CHECK_NEAR(check, front_x(&front), 11.0, 1e-6);
+}
+
 int main(int argc, char **argv)
 {
     check_t check = {0};
     check_seeds(argc, argv, &count, &first);
     CHECK_RUN(&check, nothing_moves_before_the_spindle_has_its_speed);
+    CHECK_RUN(&check, a_clock_is_told_to_the_lines_that_come);
     CHECK_RUN(&check, an_answer_is_a_session_s);
     return check_end(&check);
 }

@@ -170,6 +170,14 @@ typedef struct nck_work_more {
     uint32_t reserved;
 } nck_work_more_t;
 
+// What the machine's clocks say: Fanuc's #3011, #3012, #3001, #3002.
+typedef struct nck_wall_clock {
+    uint32_t date;  // as 20301231; 0: nobody has said it
+    uint32_t time;  // as 235959
+    uint32_t on_ms; // since it was switched on
+    uint32_t cut_s; // that it has cut
+} nck_wall_clock_t;
+
 // Numbers name their quantity in capitals.
 typedef struct nck_machine {
     double period_s;         // PERIOD: T, interpolation period
@@ -236,6 +244,7 @@ typedef struct nck_machine {
     uint32_t work_more_count;
     nck_own_g_t own_g[NCK_OWN_M_MAX];
     nck_work_more_t work_more[NCK_OWN_M_MAX];
+    nck_wall_clock_t clock;
 } nck_machine_t;
 
 // For the linker these names have capacities and version in them (sized.h).

@@ -144,6 +144,10 @@ typedef enum nck_note {
                              // letter, value: where it was to go, limit [mm]
     NCK_NOTE_OWN_LEFT = 23,  // "own-left": an M code of the machine's own before the line that is
                              // begun at is not done; letter M, value: the code
+    NCK_NOTE_CLOCK = 24,     // "assumed-clock": a program asks for the date or the time of day, and
+                             // nobody has said it; letter #, value: which one
+    NCK_NOTE_TIMER = 25,     // "timer-read": a program asks for #3001 or #3002 (value), which know
+                             // no moves, since lines are read ahead of them
     NCK_NOTE_LENGTH = 21,    // "assumed-length": H of a machine without a tool table is 0
     NCK_NOTE_INTEGERS = 15   // "assumed-integers": a length, angle or dwell of Fanuc's has no point
 } nck_note_t;

@@ -35,7 +35,9 @@ static nck_status_t set_own(nck_decode_t *self, const char *at, uint64_t number,
     if (fanuc && number == ALARMS) {
         return nck_decode_fail_last(self, NCK_E_ALARM, nck_value_is(value) ? value : 0.0, 0.0);
     }
-    if (nck_parameter_is_switch(self, (uint32_t)number)) return NCK_OK;
+    if (nck_parameter_is_switch(self, (uint32_t)number)) {
+        return nck_parameter_set_switch(self, (uint32_t)number, value);
+    }
     if (!fanuc || number != STOPS) return set_work(self, at, number, value);
     self->words.steps |= NCK_STEP(NCK_STEP_STOP);
     self->words.codes |= NCK_STEP(NCK_STEP_STOP);

@@ -47,6 +47,9 @@ int nck_parameter_is_own(const nck_decode_t *self, uint32_t number);
 // #5599. Cost: constant.
 int nck_parameter_is_switch(const nck_decode_t *self, uint32_t number);
 
+// Set it: #3001 and #3002 count on from there. NCK_E_VARIABLES. Cost: linear in the parameters.
+nck_status_t nck_parameter_set_switch(nck_decode_t *self, uint32_t number, double value);
+
 // 1 if the control keeps a parameter itself and the program may set it to what it then is: Fanuc's
 // #3003 #3004, RS274NGC's #5061 … #5070. Cost: constant.
 int nck_parameter_is_free(const nck_decode_t *self, uint32_t number);

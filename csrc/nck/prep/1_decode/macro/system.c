@@ -17,7 +17,8 @@ enum {
     FANUC_OUTER = 5201, FANUC_WORK = 5221, FANUC_SYSTEMS = 6,
     LINUXCNC_OWN = 5001, LINUXCNC_KEPT = 5061, LINUXCNC_LAST = 5601,
     LAST_OF_GROUP = 30,        // G3, in tenths
-    CLOCK = 3001, BLOCKS = 3003, OPERATING = 3004, // Fanuc: clocks, what the operator may do
+    TIMER = 3001, HOURS = 3002, BLOCKS = 3003, OPERATING = 3004, // Fanuc: what counts on, switches
+    DATE = 3011, OLD_DATE = 20000101, // where nobody has said which day it is
     SHOWN = 5599, // LinuxCNC: whether (DEBUG, …) is shown
     PROBED = 5061, PROBE_TOUCHED = 5070, // where a probe has ended; did it meet anything?
     ANSWERED = 5399                      // what M66 has found
@@ -28,7 +29,8 @@ typedef enum ask {
     ASK_NOTHING, ASK_PROGRAM, ASK_NOSE, ASK_MACHINE, ASK_OUTER, ASK_WORK, ASK_FEED, ASK_SPEED,
     ASK_TOOL, ASK_NEXT_TOOL, ASK_TURRET, ASK_SYSTEM, ASK_MOTION, ASK_PLANE, ASK_DISTANCE,
     ASK_INCREMENTAL, ASK_INCH, ASK_METRIC, ASK_UNITS, ASK_FEED_MODE, ASK_DIAMETER, ASK_CENTRE,
-    ASK_SPINDLE, ASK_SURFACE, ASK_LEVEL, ASK_RETURNED, ASK_HAS_RETURNED, ASK_ZERO
+    ASK_SPINDLE, ASK_SURFACE, ASK_LEVEL, ASK_RETURNED, ASK_HAS_RETURNED, ASK_DATE, ASK_TIME,
+    ASK_ZERO
 } ask_t;
 
 // Counts of an axis in the units in force.
@@ -110,6 +112,13 @@ static double feed_in_force(const nck_decode_t *self) {
     return self->modal.feed / (self->modal.inch && !is_inverse ? 25.4 : 1.0);
 }
 
+static double calendar(const nck_decode_t *self, ask_t ask) {
+    const nck_wall_clock_t *const clock = &self->machine->clock;
+    if (ask == ASK_TIME) return clock->time;
+    if (ask != ASK_DATE) return 0.0;
+    return clock->date != 0 ? clock->date : OLD_DATE;
+}
+
 static double number_in_force(const nck_decode_t *self, ask_t ask) {
     switch (ask) {
     case ASK_FEED: return feed_in_force(self);
@@ -121,7 +130,7 @@ static double number_in_force(const nck_decode_t *self, ask_t ask) {
     case ASK_RETURNED: return self->macro.returned;
     case ASK_HAS_RETURNED: return self->macro.has_returned;
     case ASK_LEVEL: return self->macro.depth;
-    default: return 0.0;
+    default: return calendar(self, ask);
     }
 }
 
@@ -153,7 +162,8 @@ static const row_t rows[] = {
     {4002, 1, ASK_SURFACE, T, 0}, {4003, 1, ASK_DISTANCE, F | T, 0},
     {4005, 1, ASK_FEED_MODE, F | T, 0}, {4006, 1, ASK_UNITS, F | T, 0},
     {4016, 1, ASK_PLANE, T, 0}, {4109, 1, ASK_FEED, F | T, 0}, {4119, 1, ASK_SPEED, F | T, 0},
-    {4120, 1, ASK_NEXT_TOOL, F, 0}, {4120, 1, ASK_TURRET, T, 0}, {BLOCKS, 2, ASK_ZERO, F | T, 0}
+    {4120, 1, ASK_NEXT_TOOL, F, 0}, {4120, 1, ASK_TURRET, T, 0}, {BLOCKS, 2, ASK_ZERO, F | T, 0},
+    {DATE, 1, ASK_DATE, F | T, 0}, {DATE + 1, 1, ASK_TIME, F | T, 0}
 };
 
 static const row_t *find(const nck_decode_t *self, uint32_t number) {
@@ -191,7 +201,7 @@ static nck_status_t refuse(const nck_decode_t *self, uint32_t number) {
 
 int nck_parameter_is_switch(const nck_decode_t *self, uint32_t number) {
     if (self->tongue == NCK_TONGUE_LINUXCNC) return number == SHOWN;
-    return (self->tongue & NCK_TONGUES_FANUC) && number >= CLOCK && number <= OPERATING;
+    return (self->tongue & NCK_TONGUES_FANUC) && number >= TIMER && number <= OPERATING;
 }
 
 int nck_parameter_is_free(const nck_decode_t *self, uint32_t number) {
@@ -217,12 +227,34 @@ static nck_status_t check_row(const nck_decode_t *self, const row_t *row) {
     return where && self->modal.comp == NCK_COMPENSATES ? NCK_E_COMP_ON : NCK_OK;
 }
 
-nck_status_t nck_parameter_number(nck_decode_t *self, uint32_t number, double *value_out) {
-    if (!NCK_HAS_VARIABLES) return NCK_E_UNSUPPORTED;
-    const int fanuc = (self->tongue & NCK_TONGUES_FANUC) != 0;
-    const double *const known = nck_variable_find(self, number);
-    *value_out = known != NULL ? *known : fanuc ? NCK_NO_VALUE : 0.0;
-    if (known != NULL || !nck_parameter_is_own(self, number)) return NCK_OK;
+// ---- what counts on
+
+static void note(nck_decode_t *self, nck_note_t note, uint32_t number) {
+    const nck_diagnostic_t finding = {(int32_t)note, self->line.tag, 0, '#', number, 0.0};
+    nck_decode_note(self, &finding);
+}
+
+// What the machine says of it.
+static double timer(const nck_decode_t *self, uint32_t number) {
+    return number == TIMER ? self->machine->clock.on_ms : self->machine->clock.cut_s / 3600.0;
+}
+
+nck_status_t nck_parameter_set_switch(nck_decode_t *self, uint32_t number, double value) {
+    if (number > HOURS) return NCK_OK;
+    const double from = timer(self, number);
+    return nck_variable_wait(self, number, nck_value_is(value) ? value - from : -from);
+}
+
+// Each question takes a millisecond, so that what waits for a time comes to an end.
+static nck_status_t read_timer(nck_decode_t *self, uint32_t number, double *value_out) {
+    const double *const set = nck_variable_find(self, number);
+    *value_out = timer(self, number) + (set != NULL ? *set : 0.0);
+    note(self, NCK_NOTE_TIMER, number);
+    return number == TIMER ? nck_parameter_set_switch(self, number, *value_out + 1.0) : NCK_OK;
+}
+
+// A parameter that the control keeps itself.
+static nck_status_t read_own(nck_decode_t *self, uint32_t number, double *value_out) {
     const row_t *const row = find(self, number);
     if (row == NULL) return refuse(self, number);
     const uint32_t index = number - row->first;
@@ -230,7 +262,19 @@ nck_status_t nck_parameter_number(nck_decode_t *self, uint32_t number, double *v
     const unsigned axis = row->present ? present_axis(self, k) : k;
     if (row->present && axis >= NCK_AXIS_MAX) return NCK_E_UNSUPPORTED;
     *value_out = answer(self, (ask_t)row->ask, index - k + axis);
+    const int asks_day = row->ask == ASK_DATE || row->ask == ASK_TIME;
+    if (asks_day && self->machine->clock.date == 0) note(self, NCK_NOTE_CLOCK, number);
     return check_row(self, row);
+}
+
+nck_status_t nck_parameter_number(nck_decode_t *self, uint32_t number, double *value_out) {
+    if (!NCK_HAS_VARIABLES) return NCK_E_UNSUPPORTED;
+    const int fanuc = (self->tongue & NCK_TONGUES_FANUC) != 0;
+    if (fanuc && number - TIMER < 2) return read_timer(self, number, value_out);
+    const double *const known = nck_variable_find(self, number);
+    *value_out = known != NULL ? *known : fanuc ? NCK_NO_VALUE : 0.0;
+    if (known != NULL || !nck_parameter_is_own(self, number)) return NCK_OK;
+    return read_own(self, number, value_out);
 }
 
 nck_status_t nck_parameter_set_probe(nck_decode_t *self, int touched) {
