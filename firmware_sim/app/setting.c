@@ -88,6 +88,7 @@ static const setting_t settings[] = {
     ONE(own_m_count, WORD),
     RECORDS(own_m, code, HALF),
     RECORDS(own_m, waits, BYTE),
+    RECORDS(own_m, stays, BYTE),
     ONE(own_g_count, WORD),
     RECORDS(own_g, tolerance, REAL),
     RECORDS(own_g, value, WORD),
@@ -99,6 +100,10 @@ static const setting_t settings[] = {
      (int64_t)(sizeof MACHINE->work_more / sizeof MACHINE->work_more[0]), NCK_AXIS_MAX,
      sizeof MACHINE->work_more[0]},
     RECORDS(work_more, number, WORD),
+    ONE(clock.date, WORD),
+    ONE(clock.time, WORD),
+    ONE(clock.on_ms, WORD),
+    ONE(clock.cut_s, WORD),
 };
 
 static const setting_t *find(const app_word_t *name) {

@@ -20,6 +20,10 @@ class OwnM(Table):
         description="`output`: the code is handed over and the path goes on. `wait`: the path "
         "rests, the code is handed over, and the program waits to be resumed."
     )
+    stays: bool = Field(
+        False, description="What it does stays, as a clamp's state does: a program that begins "
+        "behind it (`--from-line`) does it on its way in."
+    )
 
 
 class OwnG(Table):

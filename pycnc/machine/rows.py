@@ -200,6 +200,7 @@ def _fill_own_m(record, codes):
     record["own_m_count"] = len(codes)
     for row, (number, code) in zip(record["own_m"], codes.items(), strict=False):
         row["code"], row["waits"] = int(number), code.action == "wait"
+        row["stays"] = code.stays
 
 
 def _fill_own_g(record, codes):

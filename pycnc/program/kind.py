@@ -18,6 +18,9 @@ _FANUCS_TURNS = re.compile(rb"G50 *S|\bT\d{4}\b|\b[UW]-?[\d.]", re.IGNORECASE)
 _CROSS = re.compile(rb"\bY *-?[\d.]", re.IGNORECASE)
 _ROTARY = re.compile(rb"(?<![A-Z])([ABC]) *-?[\d.]", re.IGNORECASE)
 
+_SPINDLE = re.compile(rb"(?<![A-Z])M0?[34](?!\d)", re.IGNORECASE)
+_SPEED = re.compile(rb"(?<![A-Z])S *(?!0*\.?0*(?:[^\d.]|$))[\d.]+", re.IGNORECASE)
+_HEIGHT = re.compile(rb"(?<![A-Z])Z *[-+]?[\d.]", re.IGNORECASE)
 _BEAM = re.compile(rb"(?:N\d+ *)?G0?1(?!\d)[^S]*S *(\d+\.?\d*)", re.IGNORECASE)
 _DEPTH = re.compile(rb"Z *-", re.IGNORECASE)
 _BEAMS, _POWERS = 3, 2  # cuts that say S, and with how many values, that no spindle is told
@@ -79,6 +82,15 @@ def _laser(lines, machine):
     found = [(n, line, power[1]) for n, line in enumerate(lines, 1) if (power := _BEAM.match(line))]
     deep = any(_DEPTH.search(line) for line in lines)
     laser = machine.settings.control.laser_mode or machine.settings.kinematics.type == "lathe_xz"
-    if laser or deep or len(found) < _BEAMS or len({power for *_, power in found}) < _POWERS:
+    varies = len(found) >= _BEAMS and len({power for *_, power in found}) >= _POWERS
+    if laser or deep or not found or not (varies or _is_flat(lines)):
         return None
     return Kind("a laser's program", *found[0][:2], "-m laser", frozenset())
+
+
+def _is_flat(lines):
+    """Tell whether a text has no height, and a power that is first said by a cut, as no spindle's
+    speed is."""
+    first = next((line for line in lines if _SPEED.search(line)), b"")
+    turns, high = (any(map(sign.search, lines)) for sign in (_SPINDLE, _HEIGHT))
+    return bool(_BEAM.match(first)) and turns and not high

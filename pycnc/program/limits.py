@@ -18,10 +18,10 @@ STILL = (
     "SET_GCODE_VARIABLE", "SAVE_VARIABLE", "SAVE_GCODE_STATE", "SET_RETRACTION", "SET_TMC",
     "SET_IDLE_TIMEOUT", "SET_PRINT_STATS_INFO", "SET_STEPPER_ENABLE", "TURN_OFF_HEATERS",
     "TEMPERATURE_WAIT", "ACTIVATE_EXTRUDER", "BED_MESH_PROFILE", "BED_MESH_CLEAR", "RESPOND",
-    "STATUS",
+    "STATUS", "M211",
 )  # fmt: skip
-# Long enough to be no word of a letter and a number, and no O word.
-_MACRO = re.compile(rb"(?m)^([ \t]*)([A-Za-z_][A-Za-z_][A-Za-z0-9_]*)(?=[ \t;#\r\n]|\Z)")
+# Long enough to be no word of a letter and a number, and no O word; M211 Klipper does not know.
+_MACRO = re.compile(rb"(?m)^([ \t]*)([A-Za-z_][A-Za-z_][A-Za-z0-9_]*|[Mm]211)(?=[ \t;#\r\n]|\Z)")
 # Bambu's firmware is Marlin's but for these: codes of its own, and others with words of its own.
 _IS_BAMBU = re.compile(rb"(?m)^[ \t]*M1002\b")
 _BEGINNING = 1 << 18  # bytes in which a print shows whose it is

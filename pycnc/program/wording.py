@@ -331,6 +331,10 @@ WORDING = {
         "millisecond each time it is read, and a wait by it is not in the time",
         "say a wait by G4 P, in milliseconds",
     ),
+    "ends-off": (
+        "M211 S0 lets axes leave their travel: from here on moves go where they are told to",
+        "M211 S1 holds them again",
+    ),
     "feed-kept": (
         "{found} is no feed: Marlin does not hear it, and the one before stays",
         "say a feed, or leave F out: Klipper ends a print there",
@@ -338,7 +342,7 @@ WORDING = {
     "own-left": (
         "M{value}, of the machine's own, stands before the line that is begun at: it is not done "
         "on the way there, nor is all like it",
-        "do by hand what the line needs of it",
+        "do by hand what the line needs of it; or if its effect stays: --set m.{value}.stays=true",
     ),
     **{f"no-motion:G{code}": _RING for code in (70, 71)},
     "unsupported:G72": (

@@ -71,7 +71,7 @@ static const told_row_t drill_rows[] = {
      "1 line X1 F100; 2 rapid~ Z1; 2 line~ Z-2; 2 rapid~ Z1; 2 rapid~ Z-1.746; 2 line~ Z-3;"
      " 2 dwell for 0.5; 2 rapid~ Z1; 3 line X5; 4 line X6; 5 line~ Z-1; 5 rapid~ Z1;"
      " 7 line X7; 8 arc X9 G17 about 8 0 by -180; 9 line~ Z-1; 9 rapid~ Z1; 11 rapid X0;"
-     " !12:14 scale-unit Q 3000/0; 15 rapid X1; ?16:0 timer-read # 3001; 17 rapid Y7"},
+     " !12:14 scale-unit Q 3000/0; 15 rapid X1; ?16:0 timer-read # 3001/0; 17 rapid Y7"},
     {"G31 X5. F100.\n#100=#5061\nG0 X[#100+1.]\nG31 Z-1.\nX1.\nG31\nX2.\n",
      "1 line X5 F100 stop; 3 rapid X6 smooth; 4 line Z-1 stop; 5 rapid X1 smooth;"
      " !6:1 word-missing X 31/0"},
@@ -91,13 +91,13 @@ static void cycles_and_probes_of_mills(check_t *check) {
 static const told_row_t clock_rows[] = {
     {"#100=#3001 #101=#3001\nG0 X#3001 Y#101\n#3001=90\nN4 IF[#3001LT95]GOTO4\nX#3001\n"
      "#3001=#0\nX#3001 Y[#3012+1] Z[#3011-20000100]\n#3002=2\nX#3002\n",
-     "?1:0 timer-read # 3001; 2 rapid X1; 5 rapid X96; ?7:0 assumed-clock # 3012;"
+     "?1:0 timer-read # 3001/0; 2 rapid X1; 5 rapid X96; ?7:0 assumed-clock # 3012/0;"
      " 7 rapid X0 Y1 Z1; 9 rapid X2"},
 };
 
 static const told_row_t said_clock_rows[] = {
     {"G0 X#3001 Y#3002 Z[#3011-20301200]\nX[#3012-235900]\nX#3001\n#3001=#3001-50\nX#3001\n",
-     "?1:0 timer-read # 3001; 1 rapid X50 Y1.5 Z31; 2 rapid X58; 3 rapid X51; 5 rapid X2"},
+     "?1:0 timer-read # 3001/0; 1 rapid X50 Y1.5 Z31; 2 rapid X58; 3 rapid X51; 5 rapid X2"},
 };
 
 static void clocks_tell_what_the_machine_knows(check_t *check) {
@@ -168,10 +168,11 @@ static void lines_of_the_program_are_called(check_t *check) {
 
 static const told_row_t ends_rows[] = {
     {"G0 X-12 Y5 F600\nG91 G1 X-1\nG1 X5 Z-31 E1\nG90 G1 X101 Y201 Z51\nG1 X-99 F0\nX3 U2\n"
-     "G28 X\nG92 X50\nG1 X-20\n",
+     "G28 X\nG92 X50\nG1 X-20\nM211 S0\nG1 X-20\nM211\nX-21\nM211 S1\nX-20\n",
      "?1:4 travel-end X -12/-10; 1 rapid X-10 Y5 F600; 2 line F600; 3 line X-5 Z-30 U1;"
      " 4 line X100 Y200 Z50; ?5:9 feed-kept F; 5 line X-10; 6 line X3 U2; 7 rapid; 7 rapid X0;"
-     " 9 line X-10"},
+     " 9 line X-10; ?10:0 ends-off; 10 out M211; 11 line X-70; 12 out M211; 13 line X-71;"
+     " 14 out M211; 15 line X-10"},
 };
 
 static void a_printers_axes_stay_at_their_ends(check_t *check) {

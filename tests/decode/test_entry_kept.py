@@ -91,3 +91,24 @@ def test_a_code_of_the_machines_own_is_not_done_again_and_that_is_told(line, is_
     _, diagnostics = stages.decode(text.encode(), Machine.load("mill3", set=changes))
     told = diagnostics[diagnostics["code"] == lib.NCK_NOTE_OWN_LEFT]
     assert told[["line", "value"]].tolist() == [(3, 21.0)] * is_told
+
+
+@pytest.mark.sample(60)
+@pytest.mark.parametrize("number", range(2000))
+def test_codes_whose_effect_stays_are_done_again_the_latest_last(number, draw_seed):
+    pen = random.Random(draw_seed + number)
+    codes = pen.sample(range(100, 190), pen.randrange(1, 17))
+    actions = {code: pen.choice(["output", "wait"]) for code in codes}
+    stays = {code for code in codes if pen.random() < 0.7}
+    said = [pen.choice(codes) for _ in range(pen.randrange(1, 30))]
+    line = 2 + len(said)
+    text = "\n".join(["G0 X1 Y1 Z1", *(f"M{code} X{k % 7}" for k, code in enumerate(said)), "X9\n"])
+    changes = {f"m.{code}.action": action for code, action in actions.items()}
+    changes |= {f"m.{code}.stays": True for code in stays} | {"dialect.from_line": line}
+    blocks, told = stages.decode(text.encode(), Machine.load("mill3", set=changes))
+    again = list(reversed(list(dict.fromkeys(code for code in reversed(said) if code in stays))))
+    put = blocks[np.isin(blocks["kind"], OUT) & (blocks["output"]["kind"] == lib.NCK_OUTPUT_M)]
+    kinds = {"output": OUT[0], "wait": OUT[1]}
+    assert put["output"]["value"].tolist() == again
+    assert put["kind"].tolist() == [kinds[actions[code]] for code in again]
+    assert (told["code"] == lib.NCK_NOTE_OWN_LEFT).any() == (not set(said) <= stays)

@@ -77,6 +77,22 @@ def test_a_laser_is_told_without_an_error_and_cuts_of_a_spindle_are_none(seed):
     assert pycnc.load(text, "laser").diagnostics.counts["looks-like"] == 0
 
 
+@pytest.mark.parametrize("seed", range(20))
+def test_a_laser_of_one_power_is_told_and_what_has_a_height_or_a_speed_is_none(seed):
+    rng = random.Random(seed)
+    mill = Machine.load("mill3", set=["dialect.base=linuxcnc"])
+    power, cut = rng.randrange(1, 1000), rng.choice(["G1 X9Y9S{}F900", "G01 Y3 S{} F90"])
+    head = f"G21 G90\n{rng.choice(['M3', 'M4', 'M03 S0', 'N5 M4'])}\nG0 X1 Y2\n"
+    cuts = "\n".join(f"X{number(rng)} Y{number(rng)}" for _ in range(9))
+    text = f"{head}{cut.format(power)}\n{cuts}\n{rng.choice(['G1 S0', 'M5 S0', ''])}\nM5\nM2\n"
+    program = pycnc.load(text, mill)
+    assert program.diagnostics.counts["looks-like"] == 1
+    assert program.diagnostics.errors == 0
+    for other in (f"G0 Z5\n{text}", f"S900\n{text}", text.replace("M", "(M)")):
+        assert pycnc.load(other, mill).diagnostics.counts["looks-like"] == 0
+    assert pycnc.load(text, "laser").diagnostics.counts["looks-like"] == 0
+
+
 @pytest.mark.parametrize("text", [
     "G21 G90\nG1 X1 Y2 F9\nG777\n", "G21 G90\nG0 X1 Y2\nA5 M2\n", "G96 S100 D900\nG1 X1 Y1\nG777\n",
 ])  # fmt: skip

@@ -122,17 +122,24 @@ def test_a_feed_of_nothing_is_not_heard_but_ends_a_print_of_klipper(number, draw
 
 @pytest.mark.sample(20)
 @pytest.mark.parametrize("number", range(200))
-def test_a_place_beyond_the_travel_is_its_end_but_ends_a_print_of_klipper(number, draw_seed):
+def test_a_place_beyond_a_travel_that_holds_is_its_end_but_ends_a_klipper_print(number, draw_seed):
     pen = random.Random(draw_seed + number)
     ends, at = {"X": 220, "Y": 220, "Z": 250}, dict.fromkeys("XYZ", 0)
-    rows, beyond = ["G21", "G90", "G1 X0 Y0 Z0 F9000"], []
+    rows, beyond, outside, held = ["G21", "G90", "G1 X0 Y0 Z0 F9000"], [], [], True
     within = list(rows)
     for _ in range(pen.randrange(1, 12)):
+        if pen.random() < 0.2:
+            said = pen.choice(["", " S0", " S1"])
+            held = said != " S0" if said else held
+            rows.append(f"M211{said}")
+            within.append("M211 S0")
         steps, words, kept = pen.random() < 0.3, "", ""
         for axis in sorted(pen.sample("XYZ", pen.randrange(1, 4))):
             to = pen.choice([-1, 1]) * pen.randrange(1, 9) if pen.random() < 0.2 else 60
             place = at[axis] + to if steps else pen.choice([to + ends[axis], -to, ends[axis] - 60])
-            at[axis], said = min(max(place, 0), ends[axis]), place - at[axis] if steps else place
+            said = place - at[axis] if steps else place
+            at[axis] = min(max(place, 0), ends[axis]) if held else place
+            outside += [len(rows) + 1] * (not 0 <= place <= ends[axis])
             words, kept = f"{words} {axis}{said}", f"{kept} {axis}{at[axis]}"
             if place != at[axis] and len(rows) + 1 not in beyond:
                 beyond.append(len(rows) + 1)
@@ -148,7 +155,7 @@ def test_a_place_beyond_the_travel_is_its_end_but_ends_a_print_of_klipper(number
         assert found.blocks["target_nm"].tolist() == other.tolist(), text
     errors = [each for each in pycnc.load(text, "printer_klipper").diagnostics
               if each.severity == "error"]  # fmt: skip
-    assert [(each.id, each.line) for each in errors] == [("travel", n) for n in beyond[:1]]
+    assert [(each.id, each.line) for each in errors] == [("travel", n) for n in outside[:1]]
 
 
 @pytest.mark.parametrize("words", ["M203 X0", "M201 Y0 X0", "M203 E0", "M204 S0", "M220 S0"])

@@ -476,3 +476,17 @@ def test_a_speed_above_the_spindles_is_clipped_in_grbl_and_wrong_elsewhere(seed)
     assert lines == ["number-range"] * sum(word > most for word in words)
     assert decode("G21\nM3 S-1\nM2\n", grbl)[1] == [("number-range", 2)]
     assert decode("G21\nM3 S1e15\nM2\n", grbl)[1] != []
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_steps_home_are_steps_of_a_mill_without_such_axes(seed):
+    rng = random.Random(seed)
+    letters, code = rng.sample("XYZ", rng.randrange(1, 4)), rng.choice(["G28", "G30"])
+    steps = {letter: round(rng.choice([0, rng.uniform(-5, 5)]), 3) for letter in letters}
+    plain = " ".join(f"{letter}{step}" for letter, step in steps.items())
+    others = " ".join(f"{'UVW'['XYZ'.index(letter)]}{step}" for letter, step in steps.items())
+    before, after = f"{HEAD}G1 X5. Y-7. F100.\n", "\nX1. Y1.\nM30\n"
+    machine = mill("home.g30.z_mm=0")
+    same(f"{before}{code} {others}{after}", f"{before}G91 {code} {plain}\nG90{after}", machine)
+    same(f"{before}G91\n{code} {others}{after}", f"{before}G91 {code} {plain}{after}", machine)
+    assert decode(f"{before}U1.\n", machine)[1] == [("axis-unknown", 5)]

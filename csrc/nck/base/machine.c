@@ -189,7 +189,8 @@ static int tools_good(const nck_machine_t *machine) {
 static int own_good(const nck_machine_t *machine) {
     int all = machine->own_m_count <= NCK_OWN_M_MAX;
     for (uint32_t k = 0; all && k < machine->own_m_count; k++) {
-        all = machine->own_m[k].code <= NCK_M_MAX && machine->own_m[k].waits <= 1;
+        all = machine->own_m[k].code <= NCK_M_MAX && machine->own_m[k].waits <= 1
+              && machine->own_m[k].stays <= 1;
     }
     return all;
 }

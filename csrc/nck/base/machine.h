@@ -144,7 +144,7 @@ typedef struct nck_tool {
 typedef struct nck_own_m {
     uint16_t code;       // 0 … NCK_M_MAX; a code that the kernel executes itself stays the kernel's
     uint8_t waits;       // 1: the program waits there until nck_resume, as at M0
-    uint8_t reserved;
+    uint8_t stays;       // 1: what it does stays: a program that begins behind it does it, too
 } nck_own_m_t;
 
 // What a G code means to the machine that only chooses how a control smooths or looks ahead.

@@ -94,6 +94,7 @@
     x(NCK_NOTE_FEED_KEPT, "feed-kept") \
     x(NCK_NOTE_CLAMPED, "travel-end") \
     x(NCK_NOTE_OWN_LEFT, "own-left") \
+    x(NCK_NOTE_ENDS_OFF, "ends-off") \
     x(NCK_NOTE_CLOCK, "assumed-clock") \
     x(NCK_NOTE_TIMER, "timer-read") \
     x(NCK_NOTE_LENGTH, "assumed-length") \

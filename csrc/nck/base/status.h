@@ -144,6 +144,7 @@ typedef enum nck_note {
                              // letter, value: where it was to go, limit [mm]
     NCK_NOTE_OWN_LEFT = 23,  // "own-left": an M code of the machine's own before the line that is
                              // begun at is not done; letter M, value: the code
+    NCK_NOTE_ENDS_OFF = 26,  // "ends-off": M211 S0 of a printer: no axis is held within its travel
     NCK_NOTE_CLOCK = 24,     // "assumed-clock": a program asks for the date or the time of day, and
                              // nobody has said it; letter #, value: which one
     NCK_NOTE_TIMER = 25,     // "timer-read": a program asks for #3001 or #3002 (value), which know

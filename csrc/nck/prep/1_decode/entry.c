@@ -16,7 +16,8 @@
 
 enum {
     PHASE_AWAY, PHASE_TOOL, PHASE_REST, PHASE_CHANGE, PHASE_NEXT, PHASE_ACROSS, PHASE_SPEED,
-    PHASE_SPINDLE, PHASE_MIST, PHASE_FLOOD, PHASE_KEPT, PHASE_IN = PHASE_KEPT + NCK_KEPT, PHASES
+    PHASE_SPINDLE, PHASE_MIST, PHASE_FLOOD, PHASE_KEPT, PHASE_OWN = PHASE_KEPT + NCK_KEPT,
+    PHASE_IN = PHASE_OWN + NCK_OWN_M_MAX, PHASES
 };
 
 enum { MIST = 1, FLOOD = 2 }; // bits of modal.coolant
@@ -106,15 +107,31 @@ static unsigned place_of(const nck_decode_t *self, const nck_output_t *put) {
     return KEPT_SETTING + k;
 }
 
+// An M code of the machine's own: those that stay are done again, each as it was done last.
+static void keep_own(nck_decode_t *self, const nck_own_m_t *own) {
+    nck_kept_t *const kept = NCK_KEPT_AT(self, entry.kept);
+    const uint8_t row = (uint8_t)(own - self->machine->own_m);
+    unsigned count = 0;
+    if (!own->stays) {
+        nck_decode_note(self, &(nck_diagnostic_t){NCK_NOTE_OWN_LEFT, self->line.tag, 0, 'M',
+                                                  own->code, 0.0});
+        return;
+    }
+    for (unsigned k = 0; k < kept->owns; k++) {
+        if (kept->own[k] != row) kept->own[count++] = kept->own[k];
+    }
+    kept->own[count] = row;
+    kept->owns = (uint8_t)(count + 1);
+}
+
 static void keep(nck_decode_t *self, const nck_output_t *put, int waits) {
     nck_kept_t *const kept = NCK_KEPT_AT(self, entry.kept);
     const unsigned place = place_of(self, put);
     const uint32_t bit = (uint32_t)1 << place % 32;
     if (!NCK_HAS_KEPT) return;
-    if (put->kind == NCK_OUTPUT_M && nck_decode_own_m(self, (int64_t)put->value) != NULL) {
-        const nck_diagnostic_t left = {NCK_NOTE_OWN_LEFT, self->line.tag, 0, 'M', put->value, 0.0};
-        nck_decode_note(self, &left);
-    }
+    const nck_own_m_t *const own = put->kind == NCK_OUTPUT_M
+                                       ? nck_decode_own_m(self, (int64_t)put->value) : NULL;
+    if (own != NULL) keep_own(self, own);
     if (place >= NCK_KEPT) return;
     kept->told[place / 32] |= bit;
     if (place < NCK_KEPT_DIGITAL) {
@@ -198,6 +215,14 @@ static nck_status_t give_kept(nck_decode_t *self, unsigned place, nck_block_t *o
     return NCK_OK;
 }
 
+static nck_status_t give_own(nck_decode_t *self, unsigned k, nck_block_t *out) {
+    const nck_kept_t *const kept = NCK_KEPT_AT(self, entry.kept);
+    if (!NCK_HAS_KEPT || k >= kept->owns) return NCK_EMPTY;
+    const nck_own_m_t *const own = &self->machine->own_m[kept->own[k]];
+    return nck_decode_give_output(self, own->waits ? NCK_BLOCK_WAIT : NCK_BLOCK_OUTPUT,
+                                  NCK_OUTPUT_M, own->code, out);
+}
+
 // ---- the way in
 
 // A part of it: each ends at a stop, and the spindle turns from the last one on.
@@ -218,7 +243,8 @@ static nck_status_t give_way(nck_decode_t *self, nck_way_t part, nck_block_t *ou
 }
 
 static nck_status_t give(nck_decode_t *self, uint8_t phase, nck_block_t *out) {
-    if (phase >= PHASE_KEPT && phase < PHASE_IN) return give_kept(self, phase - PHASE_KEPT, out);
+    if (phase >= PHASE_OWN && phase < PHASE_IN) return give_own(self, phase - PHASE_OWN, out);
+    if (phase >= PHASE_KEPT && phase < PHASE_OWN) return give_kept(self, phase - PHASE_KEPT, out);
     switch (phase) {
     case PHASE_AWAY: return give_way(self, NCK_WAY_AWAY, out);
     case PHASE_ACROSS: return give_way(self, NCK_WAY_ACROSS, out);

@@ -117,7 +117,8 @@ static nck_status_t straight_within(nck_decode_t *self, nck_block_kind_t kind,
                                     const int64_t *target_nm, nck_block_t *out) {
     int64_t end_nm[NCK_AXIS_MAX];
     memcpy(end_nm, target_nm, sizeof end_nm);
-    for (unsigned axis = NCK_AXIS_X; axis <= NCK_AXIS_Z && !self->machine->roams; axis++) {
+    const int roams = self->machine->roams | self->modal.roams;
+    for (unsigned axis = NCK_AXIS_X; axis <= NCK_AXIS_Z && !roams; axis++) {
         const nck_axis_t *const travel = &self->machine->axis[axis];
         const int64_t low_nm = travel->min_nm, high_nm = travel->max_nm, to_nm = end_nm[axis];
         if (!axis_bit(self->words.axes, axis) || (to_nm >= low_nm && to_nm <= high_nm)) continue;

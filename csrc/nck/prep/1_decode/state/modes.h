@@ -28,6 +28,7 @@ typedef struct nck_modes {
     uint8_t extrudes_steps; // 1: M83
     uint8_t coolant;        // bit 0: M7, bit 1: M8
     uint8_t group;          // G0 … G3 in tenths, the last of them: Fanuc's G80 goes back to it
+    uint8_t roams;          // 1: M211 S0: axes are not held within their travel
     uint8_t excused;        // NCK_EXCUSED_…: what is missing was told, or is an error's
     double tolerance_mm;    // G64 P
     double merge_mm;        // G64 Q

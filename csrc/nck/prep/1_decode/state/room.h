@@ -86,6 +86,8 @@ typedef struct nck_kept {
     uint32_t told[3];              // bit k: it has been put out
     uint32_t on[2];                // bit k: the digital output is on
     uint32_t waits;                // bit k: the program has waited for the setting
+    uint8_t own[NCK_OWN_M_MAX];    // rows of the machine's own M codes that stay, the latest last
+    uint8_t owns;                  // of them
 } nck_kept_t;
 
 // Bits of modal.excused.

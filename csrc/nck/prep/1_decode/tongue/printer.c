@@ -11,7 +11,7 @@
 enum { AXIS_U = 6, AXIS_E = NCK_AXIS_MAX > AXIS_U ? AXIS_U : 0 };
 
 // What a code does beside being handed over.
-enum { PLAIN = 0, VALUE = 1, WAITS = 2, FULL = 4, ENDS = 8, TEXT = 16, LIMITS = 32 };
+enum { PLAIN = 0, VALUE = 1, WAITS = 2, FULL = 4, ENDS = 8, TEXT = 16, LIMITS = 32, TRAVEL = 64 };
 
 enum { CODE_DIGITS = 4 };
 enum { CHECKS = 862, CHECKS_LAST = 6 }; // M862.1 … M862.6: is it the printer that is meant?
@@ -31,7 +31,7 @@ static const printer_code_t codes[] = {
     {201, LIMITS}, {202, LIMITS}, {203, LIMITS}, {204, LIMITS}, {205, LIMITS}, {900, TEXT},
     {31, TEXT}, {42, TEXT}, {73, TEXT}, {75, TEXT}, {76, TEXT}, {77, TEXT}, {78, TEXT}, {80, TEXT},
     {81, TEXT}, {85, TEXT}, {86, TEXT}, {92, TEXT}, {108, TEXT}, {111, TEXT}, {113, TEXT},
-    {142, TEXT}, {150, TEXT}, {155, TEXT}, {207, TEXT}, {208, TEXT}, {209, TEXT}, {211, TEXT},
+    {142, TEXT}, {150, TEXT}, {155, TEXT}, {207, TEXT}, {208, TEXT}, {209, TEXT}, {211, TRAVEL},
     {240, TEXT}, {250, TEXT}, {280, TEXT}, {300, TEXT}, {301, TEXT}, {302, TEXT}, {304, TEXT},
     {355, TEXT}, {401, TEXT}, {402, TEXT}, {412, TEXT}, {413, TEXT}, {420, TEXT}, {486, TEXT},
     {500, TEXT}, {501, TEXT}, {502, TEXT}, {503, TEXT}, {569, TEXT}, {593, TEXT},
@@ -188,6 +188,13 @@ static nck_status_t read_value(nck_decode_t *self, const printer_code_t *code, d
     return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, *value_out, most);
 }
 
+// M211 S: are axes held within their travel? Without S it only asks.
+static void hold_ends(nck_decode_t *self) {
+    if (!nck_has_word(self, 'S')) return;
+    self->modal.roams = !(nck_word_real(self, 'S') > 0.0);
+    if (self->modal.roams) nck_decode_assume(self, NCK_NOTE_ENDS_OFF);
+}
+
 nck_status_t nck_decode_printer(nck_decode_t *self, nck_block_t *out) {
     if (!NCK_HAS_FOREIGN) return NCK_EMPTY;
     const printer_code_t *const code = find(self, self->words.code[NCK_STEP_OWN] / 10);
@@ -198,6 +205,7 @@ nck_status_t nck_decode_printer(nck_decode_t *self, nck_block_t *out) {
         return NCK_EMPTY;
     }
     if (code->does & LIMITS) nck_decode_assume(self, NCK_NOTE_LIMITS);
+    if (code->does & TRAVEL) hold_ends(self);
     if (code->does & ENDS) return nck_decode_give_dwell(self, 0.0, out);
     if (!(code->does & VALUE)) {
         const nck_block_kind_t kind = code->does & WAITS ? NCK_BLOCK_WAIT : NCK_BLOCK_OUTPUT;

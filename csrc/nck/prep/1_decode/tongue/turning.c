@@ -61,6 +61,12 @@ static int moves_zero(const nck_words_t *words) {
     return sets || (words->codes & codes) != 0;
 }
 
+// Under G91 all words are steps.
+static int counts_steps(const nck_decode_t *self) {
+    if (!(self->words.codes & NCK_STEP(NCK_STEP_DISTANCE))) return self->modal.incremental;
+    return self->words.code[NCK_STEP_DISTANCE] == 910;
+}
+
 // U, V or W becomes X, Y or Z.
 static nck_status_t take_step(nck_decode_t *self, unsigned axis, int letter) {
     nck_words_t *const words = &self->words;
@@ -79,6 +85,7 @@ static nck_status_t take_step(nck_decode_t *self, unsigned axis, int letter) {
     words->column[place - 'A'] = words->column[letter - 'A'];
     words->letters = (words->letters & ~NCK_LETTER(letter)) | NCK_LETTER(place);
     words->axes = (words->axes & ~((uint32_t)1 << (axis + AXIS_U))) | (uint32_t)1 << axis;
+    if (counts_steps(self)) return NCK_OK;
     nck_status_t status = nck_decode_axis_word(self, axis, &at_nm);
     if (status != NCK_OK) return status;
     at_nm += self->place.position_nm[axis] - self->place.origin_nm[axis];
@@ -87,10 +94,19 @@ static nck_status_t take_step(nck_decode_t *self, unsigned axis, int letter) {
     return status;
 }
 
+// G28 or G30 of a mill without these axes, as in G28 U0 V0 W0.
+static int goes_home(const nck_decode_t *self) {
+    const nck_words_t *const words = &self->words;
+    const uint32_t code = words->code[NCK_STEP_OFFSET];
+    return self->tongue == NCK_TONGUE_FANUC && (words->codes & NCK_STEP(NCK_STEP_OFFSET))
+           && (code == 280 || code == 300);
+}
+
 nck_status_t nck_lathe_steps(nck_decode_t *self, uint32_t strangers) {
     if (!NCK_HAS_LATHE) return NCK_EMPTY;
     nck_status_t status = NCK_OK;
-    if (!nck_lathe_is_a(self) && self->held.contour.called == 0) return NCK_EMPTY;
+    const int steps = nck_lathe_is_a(self) || self->held.contour.called != 0;
+    if (!steps && !goes_home(self)) return NCK_EMPTY;
     for (int letter = 'A'; letter <= 'Z'; letter++) {
         if (letter >= 'U' && letter <= 'W') continue;
         if (!(strangers & NCK_LETTER(letter))) continue;
