@@ -344,25 +344,48 @@ def marlin(text, place):
 # ---- RepRapFirmware: M203 X12000 Y12000:12000 E4200:4200
 
 
+_REPRAP = frozenset(f"m{code}" for code in (92, 201, 203, 204, 208, 566, 665, 667, 669))
+_ELSEWHERE = frozenset(("m98", "m501", "m505"))  # other files, whose words hold, too
+_WHETHER = re.compile(r"(if|elif|else|while)\b")
+
+
 def reprap(text, place):
     """Read a config.g: M words with a number behind each letter, of several drivers the first's.
 
-    Of M208 "m208.1" are the lower ends, "m208.0" the upper ones; X-5:210 says both.
+    Of M208 "m208.1" are the lower ends, "m208.0" the upper ones; X-5:210 says both. What an
+    expression or a condition decides cannot be known.
     """
     del place
-    form = Form()
+    form, above = Form(), None
     for row in _rows(text):
-        bare = re.sub(r";.*", "", row.raw).strip()
-        if not bare:
+        bare = re.sub(r";.*", "", row.raw).expandtabs().rstrip()
+        if not bare.strip():
             continue
         form.rows.append(row)
-        words = re.match(r"([GM]\d+(?:\.\d+)?)(?![\d.])(.*)", bare, re.I)
-        if not words or words[1].upper().startswith(("M98", "M291")):
+        indent = len(bare) - len(bare.lstrip())
+        above = None if above is not None and indent <= above else above
+        if _WHETHER.match(bare.lstrip()):
+            above = indent if above is None else above
             continue
-        if words[1].upper() == "G20":
-            form.put(("", "g20"), "G20", [row], last_counts=True)
-        _take_words(form, words[1].lower(), re.sub(r'"[^"]*"', "", words[2]), row)
+        commands = re.split(r"(?<!\S)(?=[GM]\d)", re.sub(r'"[^"]*"', "", bare), flags=re.I)
+        for command in commands:
+            words = re.match(r"([GM]\d+(?:\.\d+)?)(?![\d.])(.*)", command.strip(), re.I)
+            if words:
+                _take_command(form, words[1].lower(), words[2], row, above is not None)
     return form
+
+
+def _take_command(form, code, words, row, depends):
+    if code == "g20":
+        form.put(("", "g20"), "G20", [row], last_counts=True)
+    elif code in _ELSEWHERE:
+        form.note(row, "what stands there is not read")
+    elif code in _REPRAP and (depends or "{" in words):
+        why = "holds only on a condition" if depends else "has an expression"
+        problem = row.place, f"{row.text}: {why}; say it once, in numbers"
+        form.problems += [problem] * (problem not in form.problems)
+    else:
+        _take_words(form, code, words, row)
 
 
 def _take_words(form, code, words, row):

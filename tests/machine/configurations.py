@@ -248,9 +248,13 @@ def reprap(seed):
     ends = [f"M208 X{low}:{high}"] if both else [f"M208 X{low} S1", f"M208 X{high} S0"]
     expected |= {"axis.x.min_mm": Decimal(low), "axis.x.max_mm": Decimal(high)}
     expected |= {"axis.y.min_mm": Decimal(0), "axis.y.max_mm": Decimal(200)}
+    own = [steps, f"M566 {' '.join(jumps)}", speed, accel]
+    if pen.random.random() < 0.3:  # several in a line
+        own = [own[0], f"{own[1]} {own[2].lower()}", own[3]]
     lines = ["; a printer", 'M550 P"M203 X1 G20"', "M584 X0 Y1:4 Z5 E3",
-             pen.random.choice(["M669 K0", "M669 K1"]), steps, f"M566 {' '.join(jumps)} ; mm/min",
-             speed, accel, *ends, "M906 X800 I30", "M572 D0 S0.05", "T0"]  # fmt: skip
+             pen.random.choice(["M669 K0", "M669 K1"]), *own, *ends, "M906 X800 I30",
+             "M572 D0 S0.05", 'if exists(global.a) && {move.axes[0].max} > 3', "  M906 X500",
+             'M98 P"more.g"', "T0"]  # fmt: skip
     return Case(pen.encoded("config.g", lines), expected, "reprap", None)
 
 
