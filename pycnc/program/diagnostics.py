@@ -3,7 +3,7 @@
 
 import re
 from collections import Counter, defaultdict
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 
 import numpy as np
@@ -111,12 +111,15 @@ class Diagnostics(Tables):
         self.errors += count * (finding.severity == "error")
 
     def lead(self, finding, cured):
-        """Put a finding before all others; of the ids that it explains one each is shown."""
-        once = {}
+        """Put a finding before all others; of the ids that it explains one each is shown, whose
+        remedy is its."""
+        seen, kept = set(), []
         for each in self.shown:
-            if each.id in cured:
-                once.setdefault(each.id, each)
-        kept = [each for each in self.shown if each.id not in cured or once[each.id] is each]
+            if each.id not in cured:
+                kept.append(each)
+            elif each.id not in seen:
+                kept.append(replace(each, help=finding.help))
+            seen.add(each.id)
         self.shown = [finding, *kept]
         self.counts[finding.id] += 1
 

@@ -35,7 +35,8 @@ _BAMBU_STILL = frozenset(
     "M625 M628 M629 M630 M221 G29.1 G29.2 G392 T255 T1000".split()
 )
 _LIMIT = re.compile(
-    rb"(?im)^[ \t]*(?:N\d+[ \t]*)?(?:M[ \t]*(20[1345])(?![.\d])|(SET_VELOCITY_LIMIT)\b)([^\n;(]*)"
+    rb"(?im)^[ \t]*(?:N\d+[ \t]*)?(?:M[ \t]*(20[1345]|566)(?![.\d])|(SET_VELOCITY_LIMIT)\b)"
+    rb"([^\n;(]*)"
 )
 _WORD = re.compile(rb"([A-Z])[ \t]*([+-]?(?:\d+\.?\d*|\.\d+))")
 _PAIR = re.compile(rb"(\w+)[ \t]*=[ \t]*([+-]?(?:\d+\.?\d*|\.\d+))")
@@ -135,6 +136,8 @@ def changes(text, machine):
     """
     kind = machine.settings.control.kind
     read = {"klipper": _of_klipper, "marlin": _of_marlin}.get(kind)
+    if machine.settings.control.limits_per_min:
+        read = _of_reprap
     original, rows, line, seen = getattr(text, "original", text), [], 1, 0
     for match in _LIMIT.finditer(original) if read else ():
         line += original.count(b"\n", seen, match.start())
@@ -179,8 +182,15 @@ def _accelerations(said):
 _CORNERS = {"J": (lib.NCK_CONTROL_DEVIATION, 1.0), "B": (lib.NCK_CONTROL_SEGMENT_S, 1e-6)}
 
 
+def _of_reprap(code, words):
+    """RepRapFirmware's: as Marlin's, but for speeds in mm/min, and M566 in place of M205."""
+    scale = 1 / 60 if code in (b"203", b"566") else 1
+    changed = _of_marlin(b"205" if code == b"566" else code, words)
+    return [(number, value * scale) for number, value in changed]
+
+
 def _of_marlin(code, words):
-    if code is None:
+    if code not in (b"201", b"203", b"204", b"205"):
         return
     said = {letter.decode(): float(to) for letter, to in _WORD.findall(words) if float(to) >= 0}
     if code == b"204":

@@ -115,6 +115,11 @@ static const told_row_t printer_rows[] = {
      " 11 out M300; 12 wait M600; 13 wait M0; 14 rapid; 14 rapid"},
     {"N1 G0 X1*97\nN2 G0 X2*96\nN3 M117 50*2 of it*\nG0 X3*\nG0 X4 *5 X6\n",
      "1 rapid X1; !2:9 number-range * 96/97; 3 out M117; !4:6 number *; !5:7 number *"},
+    {"G28 O\nG28 O X R5 L\nG28 XR3Y\nM116\nG10 P0 S210 R180\nG11 P1\nM220 R\nM220 S80\nM220 B\n"
+     "M220 S100\nM220 R\nM220 S50 B\nM220 R\nM220\nM220 S-1\nG92 O\nM221 B\n",
+     "1 rapid; 1 rapid; 2 rapid; 2 rapid; 3 rapid; 3 rapid; 4 wait M116; !6:5 word-unused P;"
+     " 8 out M220=80; 10 out M220=100; 11 out M220=80; 12 out M220=50; 13 out M220=80;"
+     " !15:6 number-range S -1/10000; !16:6 other-base 0/7; !17:6 number B"},
 };
 
 static void printers_have_codes_that_move_nothing(check_t *check) {

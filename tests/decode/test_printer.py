@@ -9,6 +9,7 @@ import pycnc
 from pycnc import stages
 from pycnc.kernel.bind import lib, status_id
 from pycnc.machine import Machine
+from pycnc.planning import plan as planned
 from pycnc.planning.plan import Plan
 
 HEAD = "M82\nG21 G90 F600\nG92 E0\n"
@@ -171,3 +172,23 @@ def test_a_dwell_of_a_printer_without_a_time_is_a_rest():
     program = pycnc.load(f"{HEAD}G1 X5\nG4 ; wait\nG1 X9\n", "printer_marlin")
     (rest,) = program.blocks[program.blocks["kind"] == lib.NCK_BLOCK_DWELL]
     assert program.diagnostics.errors == 0 and rest["dwell_s"] == 0
+
+
+@pytest.mark.sample(20)
+@pytest.mark.parametrize("number", range(200))
+def test_reprap_says_speeds_of_limits_in_a_minute(number, draw_seed):
+    pen = random.Random(draw_seed + number)
+    rows, same = ["G21", "G90", "G1 X0 Y0 F9000"], ["G21", "G90", "G1 X0 Y0 F9000"]
+    for _ in range(pen.randrange(1, 12)):
+        said = {axis: pen.randrange(1, 99) for axis in pen.sample("XYZ", pen.randrange(1, 4))}
+        code, per_s, per_min = pen.choice([(203, 203, 60), (566, 205, 60), (201, 201, 1)])
+        rows.append(" ".join([f"M{code}", *(f"{axis}{to * per_min}" for axis, to in said.items())]))
+        same.append(" ".join([f"M{per_s}", *(f"{axis}{to}" for axis, to in said.items())]))
+        move = f"G1 X{pen.randrange(90)} Y{pen.randrange(90)}"
+        rows, same = [*rows, move], [*same, move]
+    jerk = {f"control.jerk.{axis}": 8 for axis in "xyz"}
+    machine = Machine.load("printer_marlin", set=jerk)
+    of_reprap = Machine.load("printer_marlin", set={**jerk, "control.limits_per_min": True})
+    times = [planned.plan(pycnc.load("\n".join([*lines, ""]), own)).time_s
+             for lines, own in ((rows, of_reprap), (same, machine))]  # fmt: skip
+    assert times[0] == pytest.approx(times[1], rel=1e-9)

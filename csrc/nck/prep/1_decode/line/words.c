@@ -47,10 +47,11 @@ static nck_status_t read_value(nck_decode_t *self, const char **at, nck_number_t
     double value = 0.0;
     nck_status_t status = nck_decode_control(self, at);
     if (status != NCK_EMPTY) return status == NCK_OK ? NCK_EMPTY : status;
-    if (nck_printer_flag(self, (char)(*letter & ~0x20))) {
+    const nck_flag_t flag = nck_printer_flag(self, (char)(*letter & ~0x20));
+    if (flag != NCK_FLAG_NONE) {
         *at = letter + 1;
         nck_number_tenths(0, out);
-        return (*letter & ~0x20) == 'W' ? NCK_EMPTY : NCK_OK;
+        return flag == NCK_FLAG_IDLE ? NCK_EMPTY : NCK_OK;
     }
     if (!begins_value(first) || !NCK_HAS_VARIABLES) {
         return nck_decode_fail(self, begins_value(first) ? NCK_E_UNSUPPORTED : NCK_E_NUMBER,
@@ -179,7 +180,9 @@ static nck_status_t read_word(nck_decode_t *self, const char **at) {
     if (letter == 'G' || (letter == 'M' && !nck_words_are_arguments(words))) {
         return read_code(self, at);
     }
-    if (letter == 'O') return nck_decode_o_word(self, at);
+    if (letter == 'O' && nck_printer_flag(self, 'O') == NCK_FLAG_NONE) {
+        return nck_decode_o_word(self, at);
+    }
     if (is_argument(words, letter)) return read_argument(self, at);
     *at = nck_number_read(self->line.text, first + 1, &words->number[index]);
     if (*at == NULL) {

@@ -118,5 +118,7 @@ nck_status_t nck_decode_mode(nck_decode_t *self) {
 
 void nck_decode_own_mode(nck_decode_t *self) {
     if (!NCK_HAS_FOREIGN) return;
+    const int printer = self->tongue == NCK_TONGUE_MARLIN;
+    if (printer && nck_has_word(self, 'P')) return; // G10 P S: how hot a tool is to be
     explain(self, NCK_STEP_OWN, self->words.code[NCK_STEP_OWN] - NCK_CODE_OWN_G, 0);
 }

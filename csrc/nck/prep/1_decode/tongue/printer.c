@@ -14,6 +14,7 @@ enum { AXIS_U = 6, AXIS_E = NCK_AXIS_MAX > AXIS_U ? AXIS_U : 0 };
 enum { PLAIN = 0, VALUE = 1, WAITS = 2, FULL = 4, ENDS = 8, TEXT = 16, LIMITS = 32, TRAVEL = 64 };
 
 enum { CODE_DIGITS = 4 };
+enum { PERCENT = 220, PERCENT_MOST = 10000, PERCENT_PLAIN = 100 }; // of M220
 enum { CHECKS = 862, CHECKS_LAST = 6 }; // M862.1 … M862.6: is it the printer that is meant?
 
 typedef struct printer_code {
@@ -21,22 +22,25 @@ typedef struct printer_code {
     uint8_t does;
 } printer_code_t;
 
-// Marlin 2.1, and what PrusaSlicer writes for its printers (M73 M86 M142 M601 M862). All of them
-// move nothing, but M600 and M601, which wait for a person.
+// Marlin 2.1, and what PrusaSlicer writes for its printers (M73 M86 M142 M601 M862 …) and for
+// RepRapFirmware (M116 M557 M566 M568 M572). All of them move nothing, but M600 and M601, which
+// wait for a person.
 static const printer_code_t codes[] = {
     {82, PLAIN}, {83, PLAIN}, {104, VALUE}, {109, VALUE | WAITS}, {106, VALUE | FULL},
     {107, PLAIN}, {140, VALUE}, {190, VALUE | WAITS}, {141, VALUE}, {191, VALUE | WAITS},
     {117, TEXT}, {118, TEXT}, {17, TEXT}, {18, TEXT}, {84, TEXT}, {105, TEXT}, {110, PLAIN},
     {114, TEXT}, {115, TEXT}, {119, TEXT}, {220, VALUE}, {221, VALUE}, {400, ENDS},
     {201, LIMITS}, {202, LIMITS}, {203, LIMITS}, {204, LIMITS}, {205, LIMITS}, {900, TEXT},
-    {31, TEXT}, {42, TEXT}, {73, TEXT}, {75, TEXT}, {76, TEXT}, {77, TEXT}, {78, TEXT}, {80, TEXT},
+    {31, TEXT}, {42, TEXT}, {73, TEXT}, {74, TEXT}, {75, TEXT}, {76, TEXT}, {77, TEXT}, {78, TEXT},
+    {80, TEXT},
     {81, TEXT}, {85, TEXT}, {86, TEXT}, {92, TEXT}, {108, TEXT}, {111, TEXT}, {113, TEXT},
     {142, TEXT}, {150, TEXT}, {155, TEXT}, {207, TEXT}, {208, TEXT}, {209, TEXT}, {211, TRAVEL},
     {240, TEXT}, {250, TEXT}, {280, TEXT}, {300, TEXT}, {301, TEXT}, {302, TEXT}, {304, TEXT},
     {355, TEXT}, {401, TEXT}, {402, TEXT}, {412, TEXT}, {413, TEXT}, {420, TEXT}, {486, TEXT},
     {500, TEXT}, {501, TEXT}, {502, TEXT}, {503, TEXT}, {569, TEXT}, {593, TEXT},
     {600, TEXT | WAITS}, {601, TEXT | WAITS}, {603, TEXT}, {851, TEXT}, {CHECKS, TEXT},
-    {906, TEXT}, {913, TEXT}, {914, TEXT}
+    {906, TEXT}, {913, TEXT}, {914, TEXT}, {116, TEXT | WAITS}, {290, TEXT}, {555, TEXT},
+    {557, TEXT}, {566, LIMITS}, {568, TEXT}, {572, TEXT}, {602, TEXT}, {907, TEXT}
 };
 
 // What a code of G is that moves something on a printer and that no text tells: a retraction of the
@@ -45,7 +49,7 @@ static const struct {
     uint32_t letters; // that it may have; 0: any text
     uint16_t tenths;
 } g_codes[] = {
-    {NCK_LETTER('S'), 100}, {NCK_LETTER('S'), 110}, {0, 290},
+    {NCK_LETTER('S') | NCK_LETTER('P') | NCK_LETTER('R'), 100}, {NCK_LETTER('S'), 110}, {0, 290},
     {NCK_LETTER('X') | NCK_LETTER('Y') | NCK_LETTER('E') | NCK_LETTER('C'), 300},
     {NCK_LETTER('A') | NCK_LETTER('E') | NCK_LETTER('I') | NCK_LETTER('T'), 340}
 };
@@ -156,12 +160,20 @@ nck_status_t nck_printer_checksum(nck_decode_t *self, const char **at) {
     return NCK_OK;
 }
 
-int nck_printer_flag(const nck_decode_t *self, char letter) {
-    if (!NCK_HAS_FOREIGN) return 0;
+// Of M220: B keeps the percent in force, R is the one that was kept.
+static int keeps_percent(const nck_decode_t *self, char letter) {
+    const int sets = (self->words.codes & NCK_STEP(NCK_STEP_OWN)) != 0
+                     && self->words.code[NCK_STEP_OWN] == 10 * PERCENT;
+    return sets && (letter == 'B' || letter == 'R');
+}
+
+nck_flag_t nck_printer_flag(const nck_decode_t *self, char letter) {
+    if (!NCK_HAS_FOREIGN || self->tongue != NCK_TONGUE_MARLIN) return NCK_FLAG_NONE;
     const int homes = (self->words.codes & NCK_STEP(NCK_STEP_OFFSET)) != 0
                       && self->words.code[NCK_STEP_OFFSET] == 280;
     const int axis = letter >= 'X' && letter <= 'Z';
-    return self->tongue == NCK_TONGUE_MARLIN && homes && (axis || letter == 'W');
+    if ((homes && axis) || keeps_percent(self, letter)) return NCK_FLAG_WORD;
+    return homes ? NCK_FLAG_IDLE : NCK_FLAG_NONE;
 }
 
 // All words are the code's.
@@ -173,9 +185,26 @@ nck_status_t nck_printer_resolve(nck_decode_t *self) {
     return nck_decode_fail_code(self, NCK_E_MODAL_GROUP, NCK_STEP_OWN);
 }
 
+// What M220 comes to; NCK_EMPTY: it changes nothing.
+static nck_status_t read_percent(nck_decode_t *self, double *value_out) {
+    nck_modes_t *const modal = &self->modal;
+    const uint16_t now = modal->percent != 0 ? modal->percent : PERCENT_PLAIN;
+    const int sets = nck_has_word(self, 'S');
+    if (nck_has_word(self, 'B')) modal->percent_kept = now;
+    if (!sets && !nck_has_word(self, 'R')) return NCK_EMPTY;
+    *value_out = sets ? nck_word_real(self, 'S') : modal->percent_kept;
+    if (!sets && modal->percent_kept == 0) return NCK_EMPTY;
+    if (!(*value_out >= 0.0 && *value_out <= (double)PERCENT_MOST)) {
+        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'S', *value_out, PERCENT_MOST);
+    }
+    modal->percent = (uint16_t)*value_out;
+    return NCK_OK;
+}
+
 // S, or R of a wait; a fan without S turns fully.
 static nck_status_t read_value(nck_decode_t *self, const printer_code_t *code, double *value_out) {
     const double full = 255.0, most = 1e6;
+    if (code->code == PERCENT) return read_percent(self, value_out);
     const int s = nck_has_word(self, 'S');
     const char letter = s ? 'S' : 'R';
     *value_out = full;

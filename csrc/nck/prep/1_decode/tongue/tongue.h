@@ -58,10 +58,14 @@ const char *nck_printer_text(const nck_decode_t *self, const char *at, unsigned 
 // is none of a printer's. Cost: constant.
 const char *nck_printer_code(const char *at, nck_number_t *out);
 
-// The line's checksum behind a *; NCK_E_NUMBER; NCK_E_NUMBER_RANGE: it is another one. 1 if a
-// letter stands without a number here: the axes of G28, and its W. Cost: linear in the line.
+// What a letter is that stands without a number: an axis of G28, or B or R of M220; another one of
+// G28, which changes no place.
+typedef enum nck_flag { NCK_FLAG_NONE = 0, NCK_FLAG_WORD = 1, NCK_FLAG_IDLE = 2 } nck_flag_t;
+
+// The line's checksum behind a *; NCK_E_NUMBER; NCK_E_NUMBER_RANGE: it is another one; what a
+// letter without a number is. Cost: linear in the line.
 nck_status_t nck_printer_checksum(nck_decode_t *self, const char **at);
-int nck_printer_flag(const nck_decode_t *self, char letter);
+nck_flag_t nck_printer_flag(const nck_decode_t *self, char letter);
 nck_status_t nck_printer_resolve(nck_decode_t *self);
 nck_status_t nck_decode_printer(nck_decode_t *self, nck_block_t *out);
 
