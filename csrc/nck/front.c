@@ -300,7 +300,10 @@ nck_status_t nck_answered(nck_t *nck, double value) {
     return nck_decode_answered(&nck->decode, value);
 }
 
-void nck_set_clock(nck_t *nck, const nck_wall_clock_t *clock) { nck->machine.clock = *clock; }
+void nck_set_clock(nck_t *nck, const nck_wall_clock_t *clock) {
+    nck_wall_clock_t *const own = NCK_CLOCK_AT(&nck->machine);
+    if (NCK_HAS_VARIABLES) *own = *clock;
+}
 
 void nck_await(nck_t *nck, uint32_t on) { nck_interpolate_await(&nck->interpolate, on); }
 

@@ -100,10 +100,7 @@ static const setting_t settings[] = {
      (int64_t)(sizeof MACHINE->work_more / sizeof MACHINE->work_more[0]), NCK_AXIS_MAX,
      sizeof MACHINE->work_more[0]},
     RECORDS(work_more, number, WORD),
-    ONE(clock.date, WORD),
-    ONE(clock.time, WORD),
-    ONE(clock.on_ms, WORD),
-    ONE(clock.cut_s, WORD),
+    NCK_IF_VARIABLES(ONE(clock.date, WORD), ONE(clock.time, WORD),)
 };
 
 static const setting_t *find(const app_word_t *name) {

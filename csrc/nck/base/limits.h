@@ -207,6 +207,16 @@
 #define NCK_KEPT_AT(self, name) ((void *)0)
 #endif
 
+// What the machine's clocks say, which parameters alone tell: a member, its address, and what else
+// only builds with parameters have.
+#if NCK_HAS_VARIABLES
+#define NCK_IF_VARIABLES(...) __VA_ARGS__
+#define NCK_CLOCK_AT(machine) (&(machine)->clock)
+#else
+#define NCK_IF_VARIABLES(...)
+#define NCK_CLOCK_AT(machine) ((void *)0)
+#endif
+
 // A member that only builds with the optimal slope have, and its address: elsewhere nobody asks for
 // it, or one of the same type that is there serves in its place.
 #if NCK_HAS_OPTIMAL

@@ -244,7 +244,7 @@ typedef struct nck_machine {
     uint32_t work_more_count;
     nck_own_g_t own_g[NCK_OWN_M_MAX];
     nck_work_more_t work_more[NCK_OWN_M_MAX];
-    nck_wall_clock_t clock;
+    NCK_IF_VARIABLES(nck_wall_clock_t clock;)
 } nck_machine_t;
 
 // For the linker these names have capacities and version in them (sized.h).

@@ -112,11 +112,16 @@ static double feed_in_force(const nck_decode_t *self) {
     return self->modal.feed / (self->modal.inch && !is_inverse ? 25.4 : 1.0);
 }
 
+static int is_day_said(const nck_decode_t *self) {
+    const nck_wall_clock_t *const clock = NCK_CLOCK_AT(self->machine);
+    return NCK_HAS_VARIABLES && clock->date != 0;
+}
+
 static double calendar(const nck_decode_t *self, ask_t ask) {
-    const nck_wall_clock_t *const clock = &self->machine->clock;
-    if (ask == ASK_TIME) return clock->time;
-    if (ask != ASK_DATE) return 0.0;
-    return clock->date != 0 ? clock->date : OLD_DATE;
+    const nck_wall_clock_t *const clock = NCK_CLOCK_AT(self->machine);
+    if (ask == ASK_TIME && NCK_HAS_VARIABLES) return clock->time;
+    if (ask != ASK_DATE || !NCK_HAS_VARIABLES) return 0.0;
+    return is_day_said(self) ? clock->date : OLD_DATE;
 }
 
 static double number_in_force(const nck_decode_t *self, ask_t ask) {
@@ -236,7 +241,9 @@ static void note(nck_decode_t *self, nck_note_t note, uint32_t number) {
 
 // What the machine says of it.
 static double timer(const nck_decode_t *self, uint32_t number) {
-    return number == TIMER ? self->machine->clock.on_ms : self->machine->clock.cut_s / 3600.0;
+    const nck_wall_clock_t *const clock = NCK_CLOCK_AT(self->machine);
+    if (!NCK_HAS_VARIABLES) return 0.0;
+    return number == TIMER ? clock->on_ms : clock->cut_s / 3600.0;
 }
 
 nck_status_t nck_parameter_set_switch(nck_decode_t *self, uint32_t number, double value) {
@@ -263,7 +270,7 @@ static nck_status_t read_own(nck_decode_t *self, uint32_t number, double *value_
     if (row->present && axis >= NCK_AXIS_MAX) return NCK_E_UNSUPPORTED;
     *value_out = answer(self, (ask_t)row->ask, index - k + axis);
     const int asks_day = row->ask == ASK_DATE || row->ask == ASK_TIME;
-    if (asks_day && self->machine->clock.date == 0) note(self, NCK_NOTE_CLOCK, number);
+    if (asks_day && !is_day_said(self)) note(self, NCK_NOTE_CLOCK, number);
     return check_row(self, row);
 }
 

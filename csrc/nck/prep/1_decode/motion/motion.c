@@ -117,8 +117,7 @@ static nck_status_t straight_within(nck_decode_t *self, nck_block_kind_t kind,
                                     const int64_t *target_nm, nck_block_t *out) {
     int64_t end_nm[NCK_AXIS_MAX];
     memcpy(end_nm, target_nm, sizeof end_nm);
-    const int roams = self->machine->roams | self->modal.roams;
-    for (unsigned axis = NCK_AXIS_X; axis <= NCK_AXIS_Z && !roams; axis++) {
+    for (unsigned axis = NCK_AXIS_X; axis <= NCK_AXIS_Z && !self->machine->roams; axis++) {
         const nck_axis_t *const travel = &self->machine->axis[axis];
         const int64_t low_nm = travel->min_nm, high_nm = travel->max_nm, to_nm = end_nm[axis];
         if (!axis_bit(self->words.axes, axis) || (to_nm >= low_nm && to_nm <= high_nm)) continue;
@@ -137,7 +136,7 @@ nck_status_t nck_decode_go(nck_decode_t *self, const nck_block_in_t *pushed,
     } else {
         const nck_block_kind_t kind = code == 0 ? NCK_BLOCK_RAPID : NCK_BLOCK_LINE;
         const int prints = NCK_HAS_FOREIGN && pushed == NULL && self->tongue == NCK_TONGUE_MARLIN;
-        status = prints ? straight_within(self, kind, target_nm, out)
+        status = prints && !self->modal.roams ? straight_within(self, kind, target_nm, out)
                         : nck_decode_straight(self, kind, target_nm, out);
     }
     if (code == 0 && nck_decode_has_feed(self, NCK_BLOCK_RAPID)) out->feed = self->modal.feed;

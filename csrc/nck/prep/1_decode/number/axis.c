@@ -86,7 +86,7 @@ nck_status_t nck_decode_steps(nck_decode_t *self, unsigned axis, int64_t step_nm
 nck_status_t nck_decode_travel(nck_decode_t *self, unsigned axis, int64_t position_nm) {
     const nck_axis_t *const travel = &self->machine->axis[axis];
     if (position_nm >= travel->min_nm && position_nm <= travel->max_nm) return NCK_OK;
-    if (self->machine->roams | self->modal.roams) return NCK_OK;
+    if (self->machine->roams || self->modal.roams) return NCK_OK;
     const int64_t limit_nm = position_nm < travel->min_nm ? travel->min_nm : travel->max_nm;
     return nck_decode_fail(self, NCK_E_TRAVEL, column_of_axis(self, axis), nck_decode_letter(axis),
                            shown(self, axis, position_nm), shown(self, axis, limit_nm));

@@ -30,8 +30,6 @@ typedef struct nck_modes {
     uint8_t group;          // G0 … G3 in tenths, the last of them: Fanuc's G80 goes back to it
     uint8_t roams;          // 1: M211 S0: axes are not held within their travel
     uint8_t excused;        // NCK_EXCUSED_…: what is missing was told, or is an error's
-    uint16_t percent;       // of a printer's speed, M220; 0: nobody has said it
-    uint16_t percent_kept;  // by M220 B; 0: none
     double tolerance_mm;    // G64 P
     double merge_mm;        // G64 Q
     double plain_mm;        // what G64 without P means, as a mode has chosen; tongue.h

@@ -88,6 +88,8 @@ typedef struct nck_kept {
     uint32_t waits;                // bit k: the program has waited for the setting
     uint8_t own[NCK_OWN_M_MAX];    // rows of the machine's own M codes that stay, the latest last
     uint8_t owns;                  // of them
+    uint16_t percent;              // of a printer's speed, M220; 0: nobody has said it
+    uint16_t percent_back;         // what M220 B has kept; 0: nothing
 } nck_kept_t;
 
 // Bits of modal.excused.

@@ -162,7 +162,7 @@ nck_status_t nck_printer_checksum(nck_decode_t *self, const char **at) {
 
 // Of M220: B keeps the percent in force, R is the one that was kept.
 static int keeps_percent(const nck_decode_t *self, char letter) {
-    const int sets = (self->words.codes & NCK_STEP(NCK_STEP_OWN)) != 0
+    const int sets = NCK_HAS_KEPT && (self->words.codes & NCK_STEP(NCK_STEP_OWN)) != 0
                      && self->words.code[NCK_STEP_OWN] == 10 * PERCENT;
     return sets && (letter == 'B' || letter == 'R');
 }
@@ -187,24 +187,23 @@ nck_status_t nck_printer_resolve(nck_decode_t *self) {
 
 // What M220 comes to; NCK_EMPTY: it changes nothing.
 static nck_status_t read_percent(nck_decode_t *self, double *value_out) {
-    nck_modes_t *const modal = &self->modal;
-    const uint16_t now = modal->percent != 0 ? modal->percent : PERCENT_PLAIN;
-    const int sets = nck_has_word(self, 'S');
-    if (nck_has_word(self, 'B')) modal->percent_kept = now;
-    if (!sets && !nck_has_word(self, 'R')) return NCK_EMPTY;
-    *value_out = sets ? nck_word_real(self, 'S') : modal->percent_kept;
-    if (!sets && modal->percent_kept == 0) return NCK_EMPTY;
+    nck_kept_t *const kept = NCK_KEPT_AT(self, entry.kept);
+    const int sets = nck_has_word(self, 'S'), returns = nck_has_word(self, 'R');
+    if (!NCK_HAS_KEPT) return NCK_EMPTY;
+    if (nck_has_word(self, 'B')) kept->percent_back = kept->percent ? kept->percent : PERCENT_PLAIN;
+    if (!sets && !(returns && kept->percent_back != 0)) return NCK_EMPTY;
+    *value_out = sets ? nck_word_real(self, 'S') : kept->percent_back;
     if (!(*value_out >= 0.0 && *value_out <= (double)PERCENT_MOST)) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'S', *value_out, PERCENT_MOST);
     }
-    modal->percent = (uint16_t)*value_out;
+    kept->percent = (uint16_t)*value_out;
     return NCK_OK;
 }
 
 // S, or R of a wait; a fan without S turns fully.
 static nck_status_t read_value(nck_decode_t *self, const printer_code_t *code, double *value_out) {
     const double full = 255.0, most = 1e6;
-    if (code->code == PERCENT) return read_percent(self, value_out);
+    if (code->code == PERCENT && NCK_HAS_KEPT) return read_percent(self, value_out);
     const int s = nck_has_word(self, 'S');
     const char letter = s ? 'S' : 'R';
     *value_out = full;
