@@ -302,6 +302,7 @@ nck_status_t nck_answered(nck_t *nck, double value) {
 
 void nck_set_clock(nck_t *nck, const nck_wall_clock_t *clock) {
     nck_wall_clock_t *const own = NCK_CLOCK_AT(&nck->machine);
+    (void)nck;
     if (NCK_HAS_VARIABLES) *own = *clock;
 }
 

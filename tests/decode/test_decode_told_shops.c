@@ -103,7 +103,7 @@ static const told_row_t said_clock_rows[] = {
 static void clocks_tell_what_the_machine_knows(check_t *check) {
     told_begin(&self, NCK_DIALECT_FANUC);
     TOLD(check, &self, clock_rows);
-    self.machine.clock = (nck_wall_clock_t){20301231, 235958, 50, 5400};
+    NCK_IF_VARIABLES(self.machine.clock = (nck_wall_clock_t){20301231, 235958, 50, 5400};)
     TOLD(check, &self, said_clock_rows);
 }
 

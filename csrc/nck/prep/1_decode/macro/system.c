@@ -114,6 +114,7 @@ static double feed_in_force(const nck_decode_t *self) {
 
 static int is_day_said(const nck_decode_t *self) {
     const nck_wall_clock_t *const clock = NCK_CLOCK_AT(self->machine);
+    (void)self;
     return NCK_HAS_VARIABLES && clock->date != 0;
 }
 
@@ -242,6 +243,7 @@ static void note(nck_decode_t *self, nck_note_t note, uint32_t number) {
 // What the machine says of it.
 static double timer(const nck_decode_t *self, uint32_t number) {
     const nck_wall_clock_t *const clock = NCK_CLOCK_AT(self->machine);
+    (void)self;
     if (!NCK_HAS_VARIABLES) return 0.0;
     return number == TIMER ? clock->on_ms : clock->cut_s / 3600.0;
 }
