@@ -112,9 +112,10 @@ class Control(Table):
     min_segment_time_us: Annotated[int, Field(ge=0, le=1_000_000)] = Field(
         20_000, description="Marlin's M205 B: shorter lines are slower while the ring fills."
     )
-    limits_per_min: bool = Field(
+    reprap: bool = Field(
         False,
-        description="RepRapFirmware: M203 and M566 of a program are in mm/min; M566 is the jerk.",
+        description="A program is read as RepRapFirmware does: M203 and M566, which is the jerk, "
+        "in mm/min; G90 and G91 say nothing of E.",
     )
     mm_per_arc_segment: Diameter = Field(Decimal(1), description="Marlin: chords of arcs [mm].")
     g64_without_p: Literal["length", "tolerance"] = Field(
@@ -150,7 +151,7 @@ OWNERS = {
     "g64_without_p": ("linuxcnc",),
     **dict.fromkeys(
         ("acceleration", "travel_acceleration", "retract_acceleration", "jerk",
-         "min_segment_time_us", "mm_per_arc_segment", "limits_per_min"), ("marlin",),
+         "min_segment_time_us", "mm_per_arc_segment", "reprap"), ("marlin",),
     ),
 }  # fmt: skip
 

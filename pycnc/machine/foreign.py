@@ -11,7 +11,7 @@ _SIGNS = {  # of each a line that its files have and the others' do not
                              r"|carriage \w+|neopixel [^]]+|duplicate_pin_override)\]",
     "LinuxCNC (INI)": r"^[ \t]*(\[(EMC|TRAJ|KINS|AXIS_\w|JOINT_\d+)\]|#INCLUDE\b)",
     "RepRapFirmware (config.g)": r"^[ \t]*M(584|566|667|669)[ \t]+[A-Z]",
-    "Marlin (M503)": r"^[ \t]*(echo:)?[ \t]*M(92|201|203)[ \t]+[XYZE][\d.]+[ \t]",
+    "Marlin (M503)": r"^[ \t]*(Recv:[ \t]*)?(echo:)?[ \t]*M(92|201|203)[ \t]+[XYZE][\d.]+[ \t]",
     "FluidNC (YAML)": r"^axes:[ \t]*(#.*)?\r?$",
 }  # fmt: skip
 

@@ -152,6 +152,25 @@ def _without_travel(source, letter):
     source.draft.left.append(f"travel of {letter.upper()}: none in the source; taken as free")
 
 
+def _is_hal(source):
+    return ("$", "398") in source.settings or ("i", "firmware") in source.settings
+
+
+def _home_of_grbl(source, k):
+    """Return (whether an axis' travel is above 0, why).
+
+    It is below 0, wherever the axis homes; but of grblHAL above, where it homes at the lower end
+    ($23) and where it has homed becomes its zero ($22, bit 3).
+    """
+    (flags, one), (mask, other) = (
+        source.number(("$", number)) if _is_hal(source) else (None, "") for number in ("22", "23")
+    )
+    if flags is None or mask is None:
+        return False, "homed at the upper end, as grbl does"
+    is_above = bool(int(flags) & 8) and bool(int(mask) >> k & 1)
+    return is_above, f"{one}; {other}"
+
+
 def grbl(source):
     """Fill in what $$ and $I print; return the letters of its axes."""
     has = source.settings
@@ -165,15 +184,17 @@ def grbl(source):
             words = "a travel has no sign: it is below grbl's home"
             source.draft.problems.append((comment, words))
         elif travel:
-            source.draft.axis(letter, "min", -travel, comment)
-            source.draft.axis(letter, "max", Decimal(0), "homed at the upper end, as grbl does")
+            is_above, home = _home_of_grbl(source, k)
+            ends = ("min", "max") if is_above else ("max", "min")
+            source.draft.axis(letter, ends[0], Decimal(0), home)
+            source.draft.axis(letter, ends[1], travel if is_above else -travel, comment)
         else:
             _without_travel(source, letter)
         source.own(f"steps_per_mm.{letter}", [("$", f"{100 + k}")])
     source.path("path.chord_error_mm", [("$", "12")])
     source.path("spindle.rpm_max", [("$", "30")])
     source.draft.left.append("home and G28: where they are, the settings do not say; taken as 0")
-    is_hal = ("$", "398") in has or ("i", "firmware") in has
+    is_hal = _is_hal(source)
     words = "its settings say so" if is_hal else 'grblHAL writes the same: then say "grblhal"'
     source.draft.put("control.kind", "grblhal" if is_hal else "grbl", words)
     source.own("junction_deviation", [("$", "11")], Decimal("0.01"))

@@ -240,7 +240,7 @@ def reprap(source):
     if ("", "g20") in source.settings:
         source.draft.problems.append(("config.g", "in inches (G20): write it in mm"))
     source.draft.put("control.kind", "marlin", "its rules are the nearest: M566 is classic jerk")
-    source.draft.put("control.limits_per_min", True, "as RepRapFirmware has M203 and M566")
+    source.draft.put("control.reprap", True, "it is RepRapFirmware's language")
     source.draft.left.append(
         "RepRapFirmware has rules of its own: lines, corners by M566 and a ring of 40 are taken as "
         "Marlin's; input shaping and pressure advance are left out"

@@ -89,6 +89,7 @@ def rows_of(settings):
     record["spindle"]["rpm_max"] = float(settings.spindle.rpm_max)
     record["spindle"]["a_max_rpm_s"] = float(settings.spindle.a_max_rpm_s)
     record["spindle_waits"] = settings.spindle.waits
+    record["firmware"] = _firmware(settings.control)
     _fill_dialect(record["dialect"], settings)
     _fill_approach(record["approach"], settings)
     _fill_positions(record, settings)
@@ -143,6 +144,13 @@ def base_number(settings):
     base, kind = settings.dialect.base, settings.control.kind
     name = kind if (base, kind) == ("grbl", "grblhal") else base
     return _DIALECTS.get(name, lib.NCK_DIALECT_LINUXCNC)
+
+
+def _firmware(control):
+    """Return whose firmware a printer has."""
+    if control.kind == "klipper":
+        return lib.NCK_FIRMWARE_KLIPPER
+    return lib.NCK_FIRMWARE_REPRAP if control.reprap else lib.NCK_FIRMWARE_MARLIN
 
 
 def _fill_dialect(row, settings):

@@ -326,7 +326,8 @@ def marlin(text, place):
     del place
     form = Form()
     for row in _rows(text):
-        bare = re.sub(r";.*", "", re.sub(r"^\s*echo:", "", row.raw, flags=re.I)).strip()
+        bare = re.sub(r";.*", "", re.sub(r"^\s*(Recv:\s*)?(echo:)?", "", row.raw, flags=re.I))
+        bare = bare.strip()
         if not bare:
             continue
         form.rows.append(row)

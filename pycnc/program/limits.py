@@ -136,7 +136,7 @@ def changes(text, machine):
     """
     kind = machine.settings.control.kind
     read = {"klipper": _of_klipper, "marlin": _of_marlin}.get(kind)
-    if machine.settings.control.limits_per_min:
+    if machine.settings.control.reprap:
         read = _of_reprap
     original, rows, line, seen = getattr(text, "original", text), [], 1, 0
     for match in _LIMIT.finditer(original) if read else ():

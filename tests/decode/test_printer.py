@@ -188,7 +188,39 @@ def test_reprap_says_speeds_of_limits_in_a_minute(number, draw_seed):
         rows, same = [*rows, move], [*same, move]
     jerk = {f"control.jerk.{axis}": 8 for axis in "xyz"}
     machine = Machine.load("printer_marlin", set=jerk)
-    of_reprap = Machine.load("printer_marlin", set={**jerk, "control.limits_per_min": True})
+    of_reprap = Machine.load("printer_marlin", set={**jerk, "control.reprap": True})
     times = [planned.plan(pycnc.load("\n".join([*lines, ""]), own)).time_s
              for lines, own in ((rows, of_reprap), (same, machine))]  # fmt: skip
     assert times[0] == pytest.approx(times[1], rel=1e-9)
+
+
+def counted(pen, firmware):
+    """Return (text with E as a firmware counts it, the same with all E in steps)."""
+    rows, plain = ["G21", "M82", "G90"], ["G21", "M83"]
+    steps, relative, at = False, False, 0.0
+    for _ in range(pen.randrange(4, 25)):
+        said = pen.choice(["G90", "G91", "M82", "M83", "", "", ""])
+        rows += [said] * bool(said)
+        relative = said == "G91" if said[:1] == "G" else relative
+        if said[:1] == "M" or (said and firmware == "marlin"):
+            steps = said in ("M83", "G91")
+        in_steps = steps or (relative and firmware == "klipper")
+        by = round(pen.uniform(0, 5), 3)
+        rows.append(f"G1 E{by if in_steps else round(at + by, 3)} F900")
+        plain.append(f"G1 E{by} F900")
+        at = round(at + by, 3)
+    return "\n".join([*rows, ""]), "\n".join([*plain, ""])
+
+
+@pytest.mark.sample(30)
+@pytest.mark.parametrize("firmware", ["marlin", "klipper", "reprap"])
+@pytest.mark.parametrize("number", range(300))
+def test_e_counts_as_the_firmware_of_the_printer_has_it(firmware, number, draw_seed):
+    text, plain = counted(random.Random(draw_seed + number), firmware)
+    name = "printer_klipper" if firmware == "klipper" else "printer_marlin"
+    own = Machine.load(name, set={"control.reprap": True} if firmware == "reprap" else {})
+    ends = [decode(each, machine)[0]["target_nm"][:, 6].tolist()
+            for each, machine in ((text, own), (plain, Machine.load("printer")))]  # fmt: skip
+    assert ends[0] == ends[1], text
+    dwells = decode("G21\nG4 S2\nG4 P500\n", own)[0]["dwell_s"].tolist()
+    assert dwells[:2] == [0.0 if firmware == "klipper" else 2.0, 0.5]

@@ -154,11 +154,15 @@ def grbl(seed):
     """Return what $$ prints."""
     pen = Writer(seed)
     lines, expected = ["Grbl 1.1h ['$' for help]", *pen.blank()], {}
+    hal, flags, mask = pen.random.random() < 0.4, pen.random.randrange(16), pen.random.randrange(32)
+    lines += ["$398=100"] * hal + [f"$22={flags}", f"$23={mask}"]
     for k, letter in enumerate(pen.random.choice(["xyz", "xyzab"])):
         unit = "deg" if letter in ROTARY else "mm"
+        above = hal and flags & 8 and mask >> k & 1
+        end = (f"max_{unit}", 1) if above else (f"min_{unit}", -1)
         for number, key, low, high, scale in ((110, f"v_max_{unit}_s", 100, 9000, 60),
                                               (120, f"a_max_{unit}_s2", 20, 900, 1),
-                                              (130, f"min_{unit}", 10, 900, -1)):  # fmt: skip
+                                              (130, end[0], 10, 900, end[1])):  # fmt: skip
             text, value = pen.number_text(low, high)
             expected[f"axis.{letter}.{key}"] = value / scale
             indent = pen.random.choice(pen.indents)
@@ -218,7 +222,7 @@ def marlin(seed):
     accel, a_of = _words(pen, "M201", letters, (50, 5000), name="a_max_mm_s2")
     steps, _ = _words(pen, "M92", letters, (80, 400), name="steps")
     deviation = Decimal(pen.random.randrange(1, 300)) / 10_000 + Decimal("0.00001")
-    echo = pen.random.choice(["", "echo:", "echo:  "])
+    echo = pen.random.choice(["", "echo:", "echo:  ", "Recv: echo:  "])  # the last: OctoPrint's log
     lines = ["Steps per unit:", steps, speed, "; Acceleration", accel, "M204 P500.00 R800 T1500",
              f"M205 B20000.00 S0.00 T0.00 J{deviation}", "M851 X0 Y0 Z-1", "M420 S0"]  # fmt: skip
     expected = v_of | a_of | {"control.acceleration": Decimal(500),
@@ -270,7 +274,8 @@ def _is_silent(kind, row):
     if kind == "grbl":
         return False
     if kind in ("marlin", "reprap"):
-        return bare.removeprefix("echo:").lstrip()[:1] == ";" or bare.startswith("M669")
+        said = bare.removeprefix("Recv:").lstrip().removeprefix("echo:").lstrip()
+        return said[:1] == ";" or bare.startswith("M669")
     if kind == "fluidnc":  # of a map the head is not quoted, and a true that is used is not
         return bare.startswith(("#", ";", "positive_direction", "mpos_mm")) or bare.endswith(":")
     if bare.lower().startswith(("coordinates", "linear_units", "kinematics")) or bare[:1] == ";":

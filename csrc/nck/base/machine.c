@@ -224,6 +224,7 @@ static int further_good(const nck_machine_t *machine) {
 static int tables_good(const nck_machine_t *machine) {
     return tools_good(machine) && own_good(machine) && further_good(machine)
            && machine->home_more >> (NCK_HOMES - 2) == 0 && machine->roams <= 1
+           && machine->firmware <= NCK_FIRMWARE_REPRAP
            && machine->spindle_waits <= 1;
 }
 

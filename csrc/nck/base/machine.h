@@ -112,6 +112,13 @@ typedef enum nck_probe {
     NCK_PROBE_TOUCHES = 2  // something where it ends
 } nck_probe_t;
 
+// Whose firmware a printer has: what G90 and G91 say of E, among other things.
+typedef enum nck_firmware {
+    NCK_FIRMWARE_MARLIN = 0,  // E counts as they say, until M82 or M83
+    NCK_FIRMWARE_KLIPPER = 1, // in steps behind G91 or behind M83
+    NCK_FIRMWARE_REPRAP = 2   // they say nothing of it
+} nck_firmware_t;
+
 // What a quantity may be.
 typedef struct nck_range {
     double low;  // the least that is good
@@ -195,7 +202,8 @@ typedef struct nck_machine {
                              // 0: all of it
     uint32_t slope;          // nck_slope_kind_t
     uint32_t kinematics;     // nck_kinematics_t
-    uint16_t roams;          // 1: nothing is held against the travel
+    uint8_t roams;           // 1: nothing is held against the travel
+    uint8_t firmware;        // nck_firmware_t, of a printer
     uint16_t spindle_waits;  // 1: M3, M4 and another S while it turns are waited at, as M0 is
 
     struct {

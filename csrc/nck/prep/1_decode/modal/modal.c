@@ -173,11 +173,12 @@ nck_status_t nck_decode_own(nck_decode_t *self, nck_block_t *out) {
 }
 
 // The word that times a dwell, 0 if there is none: P; in Fanuc's language also X or U, in Marlin's
-// S.
+// S, which Klipper does not hear.
 static char dwell_letter(const nck_decode_t *self) {
     const uint32_t base = self->machine->dialect.base;
+    const int hears = self->machine->firmware != NCK_FIRMWARE_KLIPPER;
     if (nck_has_word(self, 'P')) return 'P';
-    if (base == NCK_DIALECT_MARLIN && nck_has_word(self, 'S')) return 'S';
+    if (base == NCK_DIALECT_MARLIN && hears && nck_has_word(self, 'S')) return 'S';
     if (base == NCK_DIALECT_FANUC && nck_has_word(self, 'X')) return 'X';
     if (base == NCK_DIALECT_FANUC && nck_has_word(self, 'U')) return 'U';
     return 0;

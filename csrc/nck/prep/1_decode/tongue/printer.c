@@ -247,14 +247,21 @@ nck_status_t nck_decode_printer(nck_decode_t *self, nck_block_t *out) {
     return NCK_OK;
 }
 
-// M82 and M83 against G90 and G91: the word becomes one of the others' kind.
-static nck_status_t convert(nck_decode_t *self, nck_number_t *word) {
+// Does E of this line count in steps? incremental: what its other words do.
+static int extrudes_steps(nck_decode_t *self, int incremental) {
+    nck_modes_t *const modal = &self->modal;
+    const int says = (self->words.codes & NCK_STEP(NCK_STEP_DISTANCE)) != 0;
+    const uint32_t firmware = self->machine->firmware;
+    if (says && firmware == NCK_FIRMWARE_MARLIN) modal->extrudes_steps = (uint8_t)incremental;
+    return modal->extrudes_steps || (incremental && firmware == NCK_FIRMWARE_KLIPPER);
+}
+
+// The word of E becomes one of the others' kind.
+static nck_status_t convert(nck_decode_t *self, int steps, nck_number_t *word) {
     const int64_t at_nm = self->place.position_nm[AXIS_E] - self->place.origin_nm[AXIS_E];
-    const int sets = (self->words.codes & NCK_STEP(NCK_STEP_OFFSET)) != 0; // G92 E
     int64_t value_nm = 0;
-    if (sets || self->modal.extrudes_steps == self->modal.incremental) return NCK_OK;
     nck_status_t status = nck_decode_axis_word(self, AXIS_E, &value_nm);
-    value_nm += self->modal.extrudes_steps ? at_nm : -at_nm;
+    value_nm += steps ? at_nm : -at_nm;
     if (status == NCK_OK) status = nck_decode_steps(self, AXIS_E, 0, 0, &value_nm);
     if (status == NCK_OK) nck_decode_write(self, AXIS_E, value_nm, word);
     return status;
@@ -264,10 +271,11 @@ nck_status_t nck_printer_extrude(nck_decode_t *self) {
     if (!NCK_HAS_FOREIGN) return NCK_OK;
     nck_words_t *const words = &self->words;
     const uint32_t e = NCK_LETTER('E'), u = NCK_LETTER('U');
+    const int says = (words->codes & NCK_STEP(NCK_STEP_DISTANCE)) != 0;
+    const int sets = (words->codes & NCK_STEP(NCK_STEP_OFFSET)) != 0; // G92 E
+    const int incremental = says ? words->code[NCK_STEP_DISTANCE] == 910 : self->modal.incremental;
+    const int steps = extrudes_steps(self, incremental);
     nck_number_t *const word = &words->number['U' - 'A'];
-    if (words->codes & NCK_STEP(NCK_STEP_DISTANCE)) { // G90 and G91 are said of E too
-        self->modal.extrudes_steps = words->code[NCK_STEP_DISTANCE] == 910;
-    }
     if (!(words->letters & e)) return NCK_OK;
     if (words->letters & u) return nck_decode_fail_word(self, NCK_E_WORD_TWICE, 'U', 0.0, 0.0);
     if (!(self->place.axes >> AXIS_U & 1u)) {
@@ -276,5 +284,5 @@ nck_status_t nck_printer_extrude(nck_decode_t *self) {
     *word = words->number['E' - 'A'];
     words->column['U' - 'A'] = words->column['E' - 'A'];
     words->letters = (words->letters & ~e) | u;
-    return (words->codes & NCK_STEP(NCK_STEP_DISTANCE)) != 0 ? NCK_OK : convert(self, word);
+    return sets || steps == incremental ? NCK_OK : convert(self, steps, word);
 }
