@@ -99,7 +99,10 @@ def machine_image(machine, set_name):
     lengths = {lib.NCK_AXIS_MAX: axes, lib.NCK_TOOL_MAX: tools or lib.NCK_TOOL_MAX}
     lengths[lib.NCK_OWN_M_MAX] = given.get("NCK_OWN_M_MAX", lib.NCK_OWN_M_MAX)
     homes = 4 if given.get("NCK_CYCLES", 1) and given.get("NCK_LANGUAGE", 4) else 2  # NCK_HOMES
-    image = np.zeros(1, _smaller(dtype("nck_machine_t"), lengths, homes))
+    whole = dtype("nck_machine_t")
+    if given.get("NCK_VARIABLES", 1) == 0:  # has no clock
+        whole = np.dtype([(name, whole[name]) for name in whole.names if name != "clock"], align=True)
+    image = np.zeros(1, _smaller(whole, lengths, homes))
     _copy(machine.record, image[0])
     return image.tobytes()
 
