@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Running in reverse.
+// Beginning anew, along the moves that are kept.
 #include "back.h"
 
 #include <math.h>   // HUGE_VAL sqrt
@@ -16,6 +16,19 @@ int planner_reverse(planner_t *self, int reverse) {
     if (self->told.v > 0.0 || self->done || self->state != PLANNER_READY) return 0;
     if (!moves_is_open(moves_at(&self->moves, planner_current(self)))) return -1;
     self->reversed = (uint32_t)reverse;
+    self->state = PLANNER_TURNS;
+    nck_abort(&self->nck);
+    return 1;
+}
+
+int back_exact(planner_t *self, uint32_t single) {
+    moves_t *const moves = &self->moves;
+    const move_t *const move = moves_at(moves, planner_current(self));
+    if (self->settings.slope != NCK_SLOPE_OPTIMAL || single == moves->exact) return 0;
+    const int goes_on = self->paused || self->told.v > 0.0;
+    if (single ? move->path_mode != NCK_PATH_CONTINUOUS : goes_on) return 0;
+    if (!moves_is_open(move)) return 0;
+    moves->exact = single;
     self->state = PLANNER_TURNS;
     nck_abort(&self->nck);
     return 1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Running in reverse: the kernel begins anew where the tool rests, with the moves that are kept,
-// the other way. So its limits hold, and the path is within the tolerance of what is programmed.
+// The kernel begins anew where the tool rests, with the moves that are kept: the other way, for
+// running in reverse, or as exact ones, for single block. So its limits hold, and the path is
+// within the tolerance of what is programmed.
 #ifndef BACK_H
 #define BACK_H
 
@@ -10,5 +11,10 @@
 // of that, the programmed path up to the tool [mm].
 // Cost: linear in the moves. Context: servo thread.
 void back_begin(planner_t *self, double at);
+
+// Along a curve within a tolerance moves have no ends: under single block what runs is begun anew,
+// as exact moves, and at rest behind it as what they are. Returns 1 if the kernel lets go of what
+// it has. Cost: constant. Context: servo thread.
+int back_exact(planner_t *self, uint32_t single);
 
 #endif

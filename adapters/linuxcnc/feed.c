@@ -10,7 +10,8 @@
 
 enum {
     PATIENCE_AT_REST = 10, // [ms] without a move until what is there counts as all
-    WAIT_AT_REST = 30,     // [ms] that the kernel may wait there for a whole window
+    WAIT_AT_REST = 30,     // [ms] that the kernel may wait there for a whole window, …
+    WAIT_FOR_CURVE = 400,  // … of a curve, whose next window is long in the making
     PATIENCE = 40,         // the same while the tool moves, and is near the end of what is known
     PATIENCE_FAR = 100,    // the same wherever it is: chords may be known and not be a path yet
     WAY_UNDER_WAY = 60     // [ms] at full speed that a plan takes to be made, at most
@@ -183,11 +184,18 @@ static void fail(planner_t *self) {
     self->failed = 1;
 }
 
+// What the kernel was given last is planned as a curve.
+static int is_curve(const planner_t *self) {
+    const move_t *const last = moves_at((moves_t *)&self->moves, self->moves.next - 1);
+    return self->settings.slope == NCK_SLOPE_OPTIMAL && last->path_mode == NCK_PATH_CONTINUOUS;
+}
+
 // Nothing more is there, and the path is not to end here: plan with what is known, in time.
 static void hurry(planner_t *self) {
     const int moves = self->told.v > 0.0;
+    const uint32_t wait = is_curve(self) ? WAIT_FOR_CURVE : WAIT_AT_REST;
     self->idle = moves ? 0 : self->idle + 1;
-    if (!moves && self->idle <= planner_cycles(self, WAIT_AT_REST)) return;
+    if (!moves && self->idle <= planner_cycles(self, wait)) return;
     nck_hurry(&self->nck, planner_cycles(self, WAY_UNDER_WAY));
 }
 
@@ -204,16 +212,24 @@ int feed_is_done(const planner_t *self) {
     return queue.segs == 0 && queue.outputs == 0 && nck_is_idle(&self->nck);
 }
 
+// A step of preparation. Returns 1 if there is more to do.
+static int step(planner_t *self) {
+    const nck_status_t status = nck_prep(&self->nck);
+    if (status == NCK_OK) return 1;
+    self->empty = status == NCK_EMPTY && self->flushed == self->moves.next;
+    if (status == NCK_EMPTY && !self->failed && give(self)) return 1;
+    if (status == NCK_EMPTY) hurry(self);
+    if (status < NCK_OK) fail(self);
+    return 0;
+}
+
 void feed_prepare(planner_t *self) {
-    uint32_t n = 0;
-    for (; n < self->budget; n++) {
-        const nck_status_t status = nck_prep(&self->nck);
-        if (status == NCK_OK) continue;
-        self->empty = status == NCK_EMPTY && self->flushed == self->moves.next;
-        if (status == NCK_EMPTY && !self->failed && give(self)) continue;
-        if (status == NCK_EMPTY) hurry(self);
-        if (status < NCK_OK) fail(self);
-        break;
-    }
-    self->told.steps = n;
+    uint32_t done = nck_tick_price(&self->nck);
+    uint32_t price = nck_price(&self->nck);
+    do {
+        done += price;
+        if (!step(self)) break;
+        price = nck_price(&self->nck);
+    } while (done + price <= self->budget);
+    self->told.work = done;
 }

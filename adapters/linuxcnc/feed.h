@@ -21,7 +21,7 @@ int feed_limits(planner_t *self, bounds_t *bounds);
 // 1 if the kernel has executed all that it was given, and was told that it is all. Cost: constant.
 int feed_is_done(const planner_t *self);
 
-// At most `budget` steps of preparation. Cost: they.
+// Preparation for what `budget` leaves beside the tick, one step at least. Cost: they.
 void feed_prepare(planner_t *self);
 
 #endif

@@ -139,6 +139,18 @@ int moves_is_over(const moves_t *self, const move_t *move, const double *place) 
     return !is_round(move) || sum <= most * most;
 }
 
+int moves_reach(const move_t *move, const moves_travel_t *travel, double room) {
+    for (int k = 0; k < 3; k++) {
+        const double most = fmax(travel->most[k], move->start[k]) - room;
+        const double least = fmin(travel->least[k], move->start[k]) + room;
+        const int round = is_round(move);
+        const double high = round ? arc_reach(&move->arc, k, 1.0) : move->end[k];
+        const double low = round ? arc_reach(&move->arc, k, -1.0) : move->end[k];
+        if (high > most || low < least) return 1;
+    }
+    return 0;
+}
+
 // An entry that is executed where the next one begins.
 static int is_word(const move_t *move) {
     return move->kind > MOVE_CHORDS && move->kind < MOVE_THREAD;
@@ -188,7 +200,8 @@ static void fill_way(const moves_t *self, const move_t *move, const double *offs
     else if (self->to < 1.0) line_end(move, self->to, end);
     block->kind = kinds[move->kind];
     block->sets = NCK_IN_SETS_PATH;
-    block->path_mode = move->path_mode;
+    const int curve = move->path_mode == NCK_PATH_CONTINUOUS;
+    block->path_mode = self->exact && curve ? (uint8_t)NCK_PATH_TURNS : move->path_mode;
     block->tolerance = move->tolerance;
     if (move->feed > 0.0) block->sets |= NCK_IN_SETS_FEED;
     block->feed = move->feed;

@@ -75,11 +75,18 @@ typedef struct moves {
     uint32_t back; // 1: from end to start, towards the tail
     uint32_t anew; // 1: `next` begins where the tool is, within the tolerance of it, …
     double away;   // … so far from it [mm]
+    uint32_t exact; // 1: none runs as a curve: they rest where their path turns
     uint32_t axes; // that the machine has, a bit for each; the owner writes
     uint32_t part; // chords of `next`, or parts of its line, that it has taken
     double from;   // of it: the next part, in shares of the way, in the direction of running
     double to;
 } moves_t;
+
+// Where the axes may go. The host looks at the ends of moves; an arc may lead further.
+typedef struct moves_travel {
+    double least[3]; // X Y Z [mm]
+    double most[3];
+} moves_travel_t;
 
 // The entry of a count. Cost: constant. Context: servo thread, as all of them.
 static inline move_t *moves_at(moves_t *self, uint32_t count) {
@@ -142,5 +149,9 @@ int moves_block(const moves_t *self, const double *offset, nck_block_in_t *block
 
 // M codes that entries without way are to the kernel: one that passes, one that waits.
 enum { MOVES_M_PASS = 900, MOVES_M_WAIT = 901 };
+
+// 1 if X, Y or Z comes so near the end of the travel [mm], or for room < 0 that far behind it. Who
+// begins outside has to lead back. Cost: constant.
+int moves_reach(const move_t *move, const moves_travel_t *travel, double room);
 
 #endif

@@ -27,7 +27,7 @@ MODULE_LICENSE("GPL");
 static int jerk = 0;
 RTAPI_MP_INT(jerk, "jerk of every axis [units/s^3]; 0: as the INI says");
 static int budget = 0;
-RTAPI_MP_INT(budget, "steps of preparation a cycle; 0: as the INI says");
+RTAPI_MP_INT(budget, "thousands of instructions a cycle; 0: as the INI says");
 static char *planner = NULL;
 RTAPI_MP_STRING(planner, "jerk, optimal or linear; as the INI says");
 
@@ -36,7 +36,7 @@ typedef struct pins {
     hal_float_t *speed, *acceleration, *jerk;
     hal_s32_t *limit;          // nck_limit_t
     hal_s32_t *queue;          // moves that are not behind the tool
-    hal_s32_t *steps;          // of preparation in this cycle
+    hal_s32_t *work;           // in this cycle
     hal_s32_t *time, *time_max; // of this cycle, and of the longest [ns]
 } pins_t;
 
@@ -113,9 +113,20 @@ static planner_order_t order_of(int motion, double vel, unsigned char enables, c
     return order;
 }
 
-// No override makes a move faster than ini_maxvel.
+// The soft limits of an axis; both are zero where the host has not set them.
+static void find_travel(void) {
+    for (int k = 0; k < 3; k++) {
+        const emcmot_axis_status_t *const axis = &status->axis_status[k];
+        const int set = axis->min_pos_limit < axis->max_pos_limit;
+        self.travel.least[k] = set ? axis->min_pos_limit * scale(k) : -HUGE_VAL;
+        self.travel.most[k] = set ? axis->max_pos_limit * scale(k) : HUGE_VAL;
+    }
+}
+
+// No override makes a move faster than ini_maxvel; an operator may have changed the travel.
 static planner_order_t caps(planner_order_t order, double ini_maxvel, double acc, double jerk,
                             const struct state_tag_t *tag) {
+    find_travel();
     order.blends = (uint8_t)(tag->packed_flags >> GM_FLAG_BLEND & 1u);
     order.v_most = ini_maxvel;
     order.a_most = acc;
@@ -148,16 +159,6 @@ int tpAddLine(TP_STRUCT *const tp, EmcPose end, int motion, double vel, double i
     return added(planner_line(&self, &order, place), tag);
 }
 
-// The soft limits of an axis; both are zero where the host has not set them.
-static void find_travel(void) {
-    for (int k = 0; k < 3; k++) {
-        const emcmot_axis_status_t *const axis = &status->axis_status[k];
-        const int set = axis->min_pos_limit < axis->max_pos_limit;
-        self.travel.least[k] = set ? axis->min_pos_limit * scale(k) : -HUGE_VAL;
-        self.travel.most[k] = set ? axis->max_pos_limit * scale(k) : HUGE_VAL;
-    }
-}
-
 int tpAddCircle(TP_STRUCT *const tp, EmcPose end, PmCartesian center, PmCartesian normal, int turn,
                 int motion, double vel, double ini_maxvel, double acc MOST_JERK,
                 unsigned char enables, char atspeed, struct state_tag_t tag) {
@@ -169,7 +170,6 @@ int tpAddCircle(TP_STRUCT *const tp, EmcPose end, PmCartesian center, PmCartesia
     double place[MOVES_AXES];
     (void)tp;
     from_pose(&end, place);
-    find_travel();
     return added(planner_arc(&self, &order, place, centre, along, turn), tag);
 }
 
@@ -308,7 +308,7 @@ static void report(void) {
     *pins->jerk = told->j / unit;
     *pins->limit = (hal_s32_t)told->limit;
     *pins->queue = (hal_s32_t)status->tcqlen;
-    *pins->steps = (hal_s32_t)told->steps;
+    *pins->work = (hal_s32_t)told->work;
 }
 
 int tpRunCycle(TP_STRUCT *tp, long period) {
@@ -448,7 +448,7 @@ static int make_pins(void) {
            && !hal_pin_float_newf(HAL_OUT, &pins->jerk, component, "nck-tp.jerk")
            && !hal_pin_s32_newf(HAL_OUT, &pins->limit, component, "nck-tp.limit")
            && !hal_pin_s32_newf(HAL_OUT, &pins->queue, component, "nck-tp.queue")
-           && !hal_pin_s32_newf(HAL_OUT, &pins->steps, component, "nck-tp.steps")
+           && !hal_pin_s32_newf(HAL_OUT, &pins->work, component, "nck-tp.work")
            && !hal_pin_s32_newf(HAL_OUT, &pins->time, component, "nck-tp.time")
            && !hal_pin_s32_newf(HAL_IO, &pins->time_max, component, "nck-tp.time-max");
 }
@@ -456,7 +456,7 @@ static int make_pins(void) {
 static void tell_settings(void) {
     static const char letters[] = "XYZABCUVW";
     const int given = settings.budget > 0;
-    rtapi_print_msg(RTAPI_MSG_ERR, "nck_tp: planner %s, budget %u steps a %s, %s\n",
+    rtapi_print_msg(RTAPI_MSG_ERR, "nck_tp: planner %s, budget %u 000 instructions a %s, %s\n",
                     settings_planner(&settings),
                     given ? (unsigned)settings.budget : (unsigned)SETTINGS_BUDGET,
                     given ? "cycle" : "millisecond", settings.mm_per_unit > 1.0 ? "inch" : "mm");

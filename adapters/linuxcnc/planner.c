@@ -5,7 +5,7 @@
 #include <math.h>   // fabs fmax fmin sqrt
 #include <string.h> // memcpy memset
 
-#include "back.h"   // back_begin
+#include "back.h"   // back_begin back_exact
 #include "feed.h"   // feed_prepare
 #include "rates.h"  // rates_measure rates_hear rates_keep_behind
 #include "thread.h" // thread_begins thread_cycle
@@ -47,7 +47,7 @@ int planner_init(planner_t *self, const settings_t *settings, const planner_hook
     const nck_hooks_t listens = {self, on_output, NULL, NULL};
     const double a_path = self->a_path;
     const planner_modal_t modal = self->modal;
-    const planner_travel_t travel = self->travel;
+    const moves_travel_t travel = self->travel;
     nck_range_t range;
     nck_machine_range(NCK_QUANTITY_PERIOD, &range);
     self->cycle_s = 0.0;
@@ -212,16 +212,10 @@ static double make(const planner_t *self, const planner_order_t *order, const sh
     return centre ? moves_round(move, centre, shape->normal, shape->turn) : length;
 }
 
-// An arc that leaves the travel between its ends. One that begins outside has to lead back.
-static int leaves(const planner_t *self, const move_t *move) {
-    static const double rounding = 1e-6; // [mm], as the kernel counts
-    for (int k = 0; k < 3; k++) {
-        const double most = fmax(self->travel.most[k], move->start[k]) + rounding;
-        const double least = fmin(self->travel.least[k], move->start[k]) - rounding;
-        if (arc_reach(&move->arc, k, 1.0) > most) return 1;
-        if (arc_reach(&move->arc, k, -1.0) < least) return 1;
-    }
-    return 0;
+// Within its tolerance of the line the tool would leave the travel.
+static int keep_within(const planner_t *self, const move_t *move) {
+    const int within = move->path_mode == NCK_PATH_CONTINUOUS;
+    return within && moves_reach(move, &self->travel, move->tolerance);
 }
 
 // What the host leaves the move of the axes' limits. A rapid has no speed but theirs.
@@ -268,7 +262,8 @@ static int add(planner_t *self, const planner_order_t *order, const shape_t *sha
     if (!shape->centre && is_same(place, self->goal)) return 0;
     const double length = make(self, order, shape, place, &move);
     if (length < 0.0) return -2;
-    if (shape->centre && leaves(self, &move)) return -3;
+    if (shape->centre && moves_reach(&move, &self->travel, -1e-6)) return -3;
+    if (keep_within(self, &move)) move.path_mode = NCK_PATH_TURNS;
     put_bounds(self, order, &move);
     if (order->at_speed) put_word(self, order, MOVE_AT_SPEED, 0);
     if (order->indexer >= 0) put_word(self, order, MOVE_UNLOCK, order->indexer);
@@ -357,6 +352,7 @@ static void hear_holds(planner_t *self, const planner_wish_t *wish) {
     nck_set_single_block(&self->nck, single);
     if (self->single && !single) self->owed = 1;
     self->single = single;
+    if (back_exact(self, single)) return;
     if (self->paused && !self->holds) {
         nck_hold(&self->nck);
         self->holds = 1;
@@ -472,7 +468,7 @@ void planner_cycle(planner_t *self, const planner_wish_t *wish) {
     if (self->done && self->state == PLANNER_READY) {
         self->told.v = self->told.a = self->told.j = 0.0;
         self->paused = self->reversed = 0;
-        self->told.steps = 0;
+        self->told.work = 0;
         return;
     }
     self->quiet++;

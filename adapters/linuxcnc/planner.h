@@ -53,12 +53,6 @@ typedef struct planner_modal {
     uint32_t spindle;  // which
 } planner_modal_t;
 
-// Where the axes may go. The host looks at the ends of moves; an arc may lead further.
-typedef struct planner_travel {
-    double least[3]; // X Y Z [mm]
-    double most[3];
-} planner_travel_t;
-
 // What a move has beside its geometry.
 typedef struct planner_order {
     double vel;        // [units/s] of the tool; of rotary axes where they move alone
@@ -96,7 +90,7 @@ typedef struct planner_told {
     double a, j;       // along the path [mm/s², mm/s³]
     double along[3];   // X Y Z: in which direction, of length 1; 0 where they rest
     uint32_t limit;    // nck_limit_t in force
-    uint32_t steps;    // of preparation in this cycle
+    uint32_t work;     // in this cycle, at most [1000 instructions]
 } planner_told_t;
 
 // Two means of a number over the last cycles, the slow one twice as far back: how it changes.
@@ -123,7 +117,7 @@ typedef struct planner {
     settings_t settings;
     planner_hooks_t hooks;
     planner_modal_t modal;  // the owner writes
-    planner_travel_t travel;// the owner writes
+    moves_travel_t travel;// the owner writes
     planner_told_t told;    // the owner reads
     follow_t follow;        // the pass in step with the spindle
     uint32_t dropped;       // 1: it was aborted
@@ -166,7 +160,7 @@ typedef struct planner {
     uint32_t wanted;        // override of feeds that the host wants [ppm]
     uint32_t bound;         // the last move with a cap, or a feed a revolution, that the kernel has
     double cycle_s;         // 0: it takes no moves
-    uint32_t budget;        // steps of preparation a cycle
+    uint32_t budget;        // of a cycle [1000 instructions]
     double a_path;          // tangential acceleration at most [mm/s²]
     double goal[MOVES_AXES];// where the last move ends
     double offset[MOVES_AXES]; // the host's place less the kernel's

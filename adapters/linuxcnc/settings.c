@@ -240,7 +240,7 @@ static int read_choices(settings_t *settings, FILE *file, const settings_given_t
     }
     const int budget = given->budget > 0 ? 1 : find_number(file, "TRAJ", "NCK_BUDGET", &number);
     if (budget < 0 || number > 1e6) {
-        return fail(why, "[TRAJ] NCK_BUDGET", "write steps a cycle, from 1");
+        return fail(why, "[TRAJ] NCK_BUDGET", "write thousands of instructions a cycle, from 1");
     }
     if (budget > 0 && number >= 1.0) settings->budget = (uint32_t)number;
     const int within = find_number(file, "TRAJ", "NCK_TOLERANCE", &number);
@@ -281,7 +281,7 @@ int settings_read(settings_t *settings, const char *path, const settings_given_t
     memset(settings, 0, sizeof *settings);
     settings->mm_per_unit = 1.0;
     settings->deg_per_unit = 1.0;
-    settings->slope = NCK_SLOPE_JERK;
+    settings->slope = NCK_SLOPE_OPTIMAL;
     settings->tolerance = 0.05;
     settings->jerk_given = given->jerk > 0;
     if (given->jerk < 0 || given->budget < 0) {

@@ -11,7 +11,8 @@
 enum {
     SETTINGS_AXES = 9,    // X Y Z A B C U V W
     SETTINGS_SHORT = NCK_PROFILE > 1024, // 1: built for servo periods of less than 1 ms
-    SETTINGS_BUDGET = 48, // steps of preparation a millisecond, where the INI says nothing
+    // of a millisecond's cycles, where the INI says nothing [1000 instructions]
+    SETTINGS_BUDGET = SETTINGS_SHORT ? 490 : 215,
     SETTINGS_WHY = 256    // longest message
 };
 
@@ -21,7 +22,7 @@ typedef struct settings {
     double deg_per_unit;     // of A B C
     uint32_t axes;           // bit k: the machine has axis k
     uint32_t slope;          // nck_slope_kind_t
-    uint32_t budget;         // steps of preparation a cycle; 0: SETTINGS_BUDGET a millisecond
+    uint32_t budget;         // of a cycle [1000 instructions]; 0: SETTINGS_BUDGET a ms
     double tolerance;        // of a G64 without P [mm]
     uint32_t jerk_given;     // 1: by the command that loads the module: no move changes it
     double jerk[SETTINGS_AXES]; // [mm/s³, deg/s³]; 0: none
@@ -32,7 +33,7 @@ typedef struct settings {
 // What the command that loads the module says; it comes before the INI.
 typedef struct settings_given {
     int jerk;            // of every axis [units/s³]; 0: as the INI says
-    int budget;          // steps a cycle; 0: as the INI says
+    int budget;          // the same; 0: as the INI says
     const char *planner; // "jerk", "optimal" or "linear"; NULL: as the INI says
 } settings_given_t;
 

@@ -7,7 +7,10 @@
 
 #include "nck/base/in_force.h"        // nck_force_t
 #include "nck/base/link_invariants.h" // nck_link_invariants
-#include "nck/base/real.h"            // nck_rounded
+#include "nck/base/real.h"            // nck_larger nck_rounded
+
+// Thousands of instructions: of any room's step, of a tick, of one whose clock brakes or sets off.
+enum { PRICE_LEAST = 4, PRICE_TICK = 6, PRICE_EASES = 80 };
 
 // ---- memory
 
@@ -388,6 +391,17 @@ const nck_machine_t *nck_machine_of(const nck_t *nck) { return &nck->machine; }
 
 const nck_node_t *nck_piece(const nck_t *nck, uint32_t i) {
     return nck_lookahead_ahead(&nck->lookahead, i);
+}
+
+uint32_t nck_price(nck_t *nck) {
+    const uint32_t plan = nck_slope_price(&nck->slope);
+    const uint32_t path = nck_larger(nck_smooth_price(&nck->smooth), PRICE_LEAST);
+    return nck_slope_is_clocked(&nck->slope) && plan > 0 ? plan : nck_larger(plan, path);
+}
+
+uint32_t nck_tick_price(const nck_t *nck) {
+    const uint32_t clock = nck_fence_load(&nck->interpolate.clock.state);
+    return clock == NCK_CLOCK_BRAKES || clock == NCK_CLOCK_SETS_OFF ? PRICE_EASES : PRICE_TICK;
 }
 
 int nck_is_answering(const nck_t *nck) { return nck_slope_is_answering(&nck->slope); }

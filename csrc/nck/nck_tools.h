@@ -54,6 +54,13 @@ nck_status_t nck_end_pieces(nck_t *nck, uint32_t blocks);
 // final, its envelope may not be. NULL: not known yet. Cost: constant. Context: prep.
 const nck_node_t *nck_piece(const nck_t *nck, uint32_t i);
 
+// What the next nck_prep takes at most, or little more, in thousands of instructions of a PC, up to
+// three axes: for who has so many in a period. Cost: constant. Context: prep.
+uint32_t nck_price(nck_t *nck);
+
+// The same of the next nck_tick. Cost: constant. Context: any.
+uint32_t nck_tick_price(const nck_t *nck);
+
 // 1 while a plan is made that answers the operator: who asks for something else now, and again and
 // again, has it begin anew each time. Cost: constant. Context: prep.
 int nck_is_answering(const nck_t *nck);

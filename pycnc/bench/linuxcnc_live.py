@@ -2,9 +2,9 @@
 """Rows of `pycnc lab bench linuxcnc --live`: this planner against LinuxCNC's own, in LinuxCNC.
 
 Each program runs in the LinuxCNC that is installed here, with its own planner (stock), with this
-one without a jerk limit (linear) and with it (jerk), all with 100 mm/s, 1000 mm/s² and 10 000
+one without a jerk limit (linear) and with it (nck), all with 100 mm/s, 1000 mm/s² and 10 000
 mm/s³ for each axis. Times are from the first to the last setpoint that differs; peaks are
-shares of an axis' limits, of the jerk run; off_mm is the largest distance of a setpoint from
+shares of an axis' limits, of the nck run; off_mm is the largest distance of a setpoint from
 the programmed lines. same_order: the lines that both planners have told come in one order. Rows
 of hold, abort and override 0: from when it was asked for until the rest; the last two with
 LinuxCNC's own way to the planner, some 10 ms. Rows of threads: phase_um is by how much the tool
@@ -24,7 +24,7 @@ import numpy as np
 from pycnc.bench import programs
 from pycnc.linuxcnc import live
 
-STOCK, LINEAR, JERK = "", "nck_tp planner=linear", "nck_tp"
+STOCK, LINEAR, OURS = "", "nck_tp planner=linear", "nck_tp"
 EXAMPLES = Path("/usr/share/linuxcnc/ncfiles")
 NEAR = 400  # lines on either side among which the nearest one is sought
 CASES = (
@@ -98,25 +98,25 @@ def _is_same_order(one, other):
 
 
 def _row(name, mode, text, axes, points=None):
-    stock, linear, jerk = (_run(text, planner, axes) for planner in (STOCK, LINEAR, JERK))
-    v, a, j = jerk.peaks(live.Limits())
-    ends = float(np.abs(stock.places[-1] - jerk.places[-1]).max())
+    stock, linear, ours = (_run(text, planner, axes) for planner in (STOCK, LINEAR, OURS))
+    v, a, j = ours.peaks(live.Limits())
+    ends = float(np.abs(stock.places[-1] - ours.places[-1]).max())
     return {
         "program": name, "mode": mode, "stock_s": stock.time_s, "linear_s": linear.time_s,
-        "linear/stock": linear.time_s / stock.time_s, "jerk_s": jerk.time_s, "v_peak": v,
-        "a_peak": a, "j_peak": j, "ends_apart_mm": ends, "same_order": _is_same_order(stock, jerk),
-        "off_mm": None if points is None else _off(jerk.places, points),
-        "cycle_mean": jerk.time.mean() / stock.time.mean(),
-        "cycle_worst": jerk.time.max() / stock.time.mean(),
+        "linear/stock": linear.time_s / stock.time_s, "nck_s": ours.time_s, "v_peak": v,
+        "a_peak": a, "j_peak": j, "ends_apart_mm": ends, "same_order": _is_same_order(stock, ours),
+        "off_mm": None if points is None else _off(ours.places, points),
+        "cycle_mean": ours.time.mean() / stock.time.mean(),
+        "cycle_worst": ours.time.max() / stock.time.mean(),
     }  # fmt: skip
 
 
 def _stop_row(name, mode, text, asked):
     """Return how long both planners take to rest; the program ends there."""
     script = [*ASKED[asked], (STOP_AFTER_S, "abort"), (0, "override", 1.0), (0, "go on")]
-    stock, jerk = (_run(text, planner, script=script) for planner in (STOCK, JERK))
+    stock, ours = (_run(text, planner, script=script) for planner in (STOCK, OURS))
     return {"program": f"{name}: {asked}", "mode": mode, "stock_s": stock.rest_s(),
-            "jerk_s": jerk.rest_s()}  # fmt: skip
+            "nck_s": ours.rest_s()}  # fmt: skip
 
 
 def phase_um(log):
@@ -135,11 +135,11 @@ def thread(lines):
 
 def _thread_row(name, lines):
     text = thread(lines)
-    stock, jerk = (_run(text, planner) for planner in (STOCK, JERK))
-    v, a, j = jerk.peaks(live.Limits())
+    stock, ours = (_run(text, planner) for planner in (STOCK, OURS))
+    v, a, j = ours.peaks(live.Limits())
     return {"program": name, "mode": "S600, 2 mm", "stock_s": stock.time_s,
-            "jerk_s": jerk.time_s, "v_peak": v, "a_peak": a, "j_peak": j,
-            "stock_phase_um": phase_um(stock), "phase_um": phase_um(jerk)}  # fmt: skip
+            "nck_s": ours.time_s, "v_peak": v, "a_peak": a, "j_peak": j,
+            "stock_phase_um": phase_um(stock), "phase_um": phase_um(ours)}  # fmt: skip
 
 
 def each_live_row():
@@ -158,6 +158,6 @@ def each_live_row():
 
 
 def bench_live_rows():
-    """Return rows {program, mode, stock_s, linear_s, linear/stock, jerk_s, v_peak, a_peak, j_peak,
+    """Return rows {program, mode, stock_s, linear_s, linear/stock, nck_s, v_peak, a_peak, j_peak,
     ends_apart_mm, same_order, off_mm, cycle_mean, cycle_worst, stock_phase_um, phase_um}."""
     return list(each_live_row())

@@ -56,7 +56,8 @@ def machine_of(text, name, folder):
     if problems:
         raise MachineFileError(name, problems)
     told = configuration.settings(text).get(("TRAJ", "NCK_TOLERANCE"))
-    changes = ["control.kind=nck", "path.slope=jerk"]
+    slope, *_ = draft.values.get("path.slope", ("optimal",))
+    changes = ["control.kind=nck", f"path.slope={slope}"]
     if not told:
         changes.append(f"path.tolerance_mm={_TOLERANCE_MM}")
     machine = Machine.from_text(draft.text([]), name=Path(name).stem)

@@ -98,8 +98,8 @@ def linuxcnc(source):
     source.path("path.feed_max_mm_min", [("traj", "max_linear_velocity")], 60 * unit)
     source.path("kernel.period_ms", [("emcmot", "servo_period")], Decimal("1e-6"))
     source.path("spindle.rpm_max", [("spindle_0", "max_forward_velocity")])
-    source.draft.put("control.kind", "linuxcnc")
     _startup(source, unit)
+    _planner(source, unit)
     _arcs(source, unit)
     if unit == _MM["inch"]:
         source.draft.put("dialect.units", "inch", "LINEAR_UNITS")
@@ -109,6 +109,22 @@ def linuxcnc(source):
     if source.word(("emcio", "tool_table")):
         source.draft.left.append("the tool table: give it by --tools")
     return letters
+
+
+def _planner(source, unit):
+    """Which trajectory planner it loads: its own, or nck_tp with one of its slopes."""
+    words = (source.word(("traj", "tpmod")) or "").lower().split()
+    if words[:1] != ["nck_tp"]:
+        source.draft.put("control.kind", "linuxcnc")
+        return
+    given = dict(word.split("=", 1) for word in words if "=" in word)
+    slope = given.get("planner", source.word(("traj", "nck_planner")) or "optimal").lower()
+    source.draft.put("control.kind", "nck", "TPMOD = nck_tp")
+    source.draft.put("path.slope", slope, "planner of nck_tp")
+    within, comment = source.number(("traj", "nck_tolerance"))
+    if "path.tolerance_mm" not in source.draft.values:
+        tolerance = within * unit if within else Decimal("0.05")
+        source.draft.put("path.tolerance_mm", tolerance, comment or "G64 without P of nck_tp")
 
 
 def _for_offsets(source, letter):

@@ -48,7 +48,7 @@ class Machine(NamedTuple):
     a: float = 1000.0
     j: float = 10_000.0
     units: str = "mm"
-    traj: str = ""  # more lines of [TRAJ]
+    traj: str = "NCK_PLANNER = jerk"  # more lines of [TRAJ]
 
     @property
     def ini(self):
@@ -63,6 +63,9 @@ class Machine(NamedTuple):
     def limits(self):
         """Return the script that tells the planner the limits of its axes."""
         return [f"axis {AXES.index(x)} {self.v} {self.a}" for x in self.axes]
+
+
+OPTIMAL = Machine(traj="")  # with what the module does by itself
 
 
 class Run(NamedTuple):
@@ -168,14 +171,14 @@ class StandIn:
         rows = np.fromfile(self.folder / "trace").reshape(-1, self.columns)
         return Run(machine, [line.split() for line in done.stdout.splitlines()], done.stderr, rows)
 
-    def count(self, script, module=None):
-        """Run a script on the machine; return the instructions of each servo cycle."""
+    def count(self, script, module=None, machine=None):
+        """Run a script on a machine; return the instructions of each servo cycle."""
         out = self.folder / "callgrind"
         out.unlink(missing_ok=True)
         under = [shutil.which("valgrind"), "--tool=callgrind", "--combine-dumps=yes",
                  f"--callgrind-out-file={out}", "--toggle-collect=tpRunCycle",
                  "--dump-after=tpRunCycle"]  # fmt: skip
-        done = self.start(script, Machine(), module=module, under=under)
+        done = self.start(script, machine or Machine(), module=module, under=under)
         assert done.returncode == 0, done.stderr
         found = re.findall(r"^totals: (\d+)", out.read_text(encoding="utf-8"), re.M)
         return np.array(found[:-1], int)  # the last one is of what comes behind the last cycle

@@ -87,7 +87,7 @@ def speeds_of(case, ways, run):
 
 def machine_of(case):
     """Return its machine, as an INI file tells it."""
-    traj = f"NCK_PLANNER = {case.slope}\nNCK_BUDGET = {case.prep_steps}"
+    traj = f"NCK_PLANNER = {case.slope}\nNCK_BUDGET = {4 * case.prep_steps}"
     return Machine(v=stop_gate.V_MAX, a=case.a, j=case.j, traj=traj)
 
 

@@ -6,7 +6,7 @@ import random
 
 import numpy as np
 import pytest
-from linuxcnc_stand_in import BY_TICK, CYCLE_S, EVER, OWN, ROOT, Machine, StandIn
+from linuxcnc_stand_in import BY_TICK, CYCLE_S, EVER, OPTIMAL, OWN, ROOT, Machine, StandIn
 
 ROUNDING = 1e-6  # of a limit, on doubles
 WITHIN = "term 2 0.01"
@@ -385,8 +385,7 @@ def test_what_is_wrong_is_told_again_where_a_move_is_asked_for(stand_in):
 def test_what_is_wrong_in_the_ini_is_told_in_one_line_and_nothing_moves(
     stand_in, line, wrong, found
 ):
-    machine = Machine()
-    done = stand_in.start(MOVES, machine, ini=machine.ini.replace(line, wrong))
+    done = stand_in.start(MOVES, OPTIMAL, ini=OPTIMAL.ini.replace(line, wrong))
     assert "move 1 -1" in done.stdout
     message, again = done.stderr.splitlines()
     assert found in message and again == message
@@ -479,10 +478,10 @@ def test_a_cycle_takes_as_many_instructions_as_the_page_says(stand_in):
     if not OWN.is_file():
         pytest.skip("linuxcnc-uspace is not installed")
     script = [*ring(), f"rest {EVER}"]
-    ours, own = stand_in.count(script), stand_in.count(script, OWN)
+    ours, own = stand_in.count(script, machine=OPTIMAL), stand_in.count(script, OWN)
     found = {"mean": ours.mean(), "most": ours.max()}
     stopped = [*ring(CHORDS // 2), "abort", "rest 20000", "run 1"]
-    found["an abort has come to rest"] = stand_in.count(stopped)[-2:].max()
+    found["an abort has come to rest"] = stand_in.count(stopped, machine=OPTIMAL)[-2:].max()
     print(f"own: mean {own.mean():.0f}, most {own.max()}; ours: {found}")
     for row, value in found.items():
         assert value == pytest.approx(told(row), rel=0.05), row

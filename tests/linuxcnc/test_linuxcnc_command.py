@@ -4,6 +4,7 @@
 import json
 import shutil
 import subprocess
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -24,6 +25,18 @@ def ini(tmp_path):
         return str(path)
 
     return write
+
+
+@pytest.mark.parametrize(("words", "kind", "slope"), [
+    ("TPMOD = nck_tp", "nck", "optimal"), ("TPMOD = nck_tp planner=jerk", "nck", "jerk"),
+    ("TPMOD = nck_tp\nNCK_PLANNER = Linear", "nck", "linear"), ("TPMOD = tpmod", "linuxcnc", None),
+])  # fmt: skip
+def test_a_machine_that_is_imported_has_the_planner_that_is_loaded(ini, words, kind, slope):
+    text = Machine(traj=words).ini + "MIN_LIMIT = -100\nMAX_LIMIT = 100\n"
+    done = pycnc("machine", "import", ini(text))
+    data = tomllib.loads(done.out)
+    assert data["control"]["kind"] == kind
+    assert data.get("path", {}).get("slope") == slope
 
 
 def test_what_an_ini_file_lacks_is_told(ini):

@@ -136,7 +136,7 @@ def test_the_pins_tell_what_the_page_says(signals, root):
     assert pins["nck-tp.speed"] == pytest.approx(10, abs=1e-3)
     assert abs(pins["nck-tp.acceleration"]) < 0.1 and abs(pins["nck-tp.jerk"]) < 10
     assert pins["nck-tp.limit"] == 0  # the feed that is programmed
-    assert pins["nck-tp.queue"] >= 1 and pins["nck-tp.steps"] >= 0
+    assert pins["nck-tp.queue"] >= 1 and pins["nck-tp.work"] >= 0
     assert 0 < pins["nck-tp.time"] <= pins["nck-tp.time-max"] < 1e9
 
 

@@ -3,12 +3,12 @@
 
 import numpy as np
 import pytest
-from linuxcnc_stand_in import EVER, Machine, StandIn
+from linuxcnc_stand_in import EVER, OPTIMAL, Machine, StandIn
 from test_linuxcnc import WITHIN, random_script, ring
 
 PERIOD_S = 0.25e-3
 MOST = 150_000  # instructions of a cycle
-UNBOUND = Machine(traj="NCK_BUDGET = 100000")
+UNBOUND = Machine(traj="NCK_PLANNER = jerk\nNCK_BUDGET = 100000")
 SEEDS, LINES = 400, 40  # a script's begin: valgrind takes its time
 EDGES = [f"line 100 {5 * (n + n % 2)} {5 * (n - n % 2)} 0\nrun 1" for n in range(1, 9)]
 WAVE = [f"line 100 {0.2 * n:.4f} {3 * np.sin(0.03 * n):.4f} 0\nrun 1" for n in range(1, 1001)]
@@ -38,8 +38,9 @@ def moving_s(run):
 @pytest.mark.thorough
 @pytest.mark.sample(2)
 @pytest.mark.parametrize("name", PROGRAMS)
-def test_a_cycle_of_a_quarter_millisecond_is_bounded(stand_in, name):
-    assert stand_in.count(paced(PROGRAMS[name])).max() <= MOST
+@pytest.mark.parametrize("machine", [OPTIMAL, Machine()], ids=["optimal", "jerk"])
+def test_a_cycle_of_a_quarter_millisecond_is_bounded(stand_in, name, machine):
+    assert stand_in.count(paced(PROGRAMS[name]), machine=machine).max() <= MOST
 
 
 @pytest.mark.thorough

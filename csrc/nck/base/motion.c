@@ -2,6 +2,7 @@
 // The iteration: objective and caps, the Newton step, how far it is gone, when it is enough.
 #include "nck/base/motion.h"
 
+#include <stddef.h> // offsetof
 #include <string.h> // memset
 
 #include "nck/base/motion_math.h" // nck_motion_row
@@ -372,8 +373,12 @@ static int is_in_range(const nck_motion_wish_t *wish) {
 nck_status_t nck_motion_begin(nck_motion_t *self, nck_motion_work_t *work,
                               const nck_motion_wish_t *wish) {
     if (!is_in_range(wish)) return NCK_E_ARGUMENT;
-    memset(self, 0, sizeof *self);
-    memset(work, 0, sizeof *work);
+    memset(self, 0, offsetof(nck_motion_t, p1));
+    memset(work, 0, offsetof(nck_motion_work_t, z)); // which the first round begins
+    for (int axis = 0; axis < wish->axes; axis++) {
+        memset(self->p1[axis], 0, sizeof self->p1[axis]);
+        memset(self->p2[axis], 0, sizeof self->p2[axis]);
+    }
     self->work = work;
     for (int k = 0; k < NCK_MOTION_LINE; k++) self->b[k] = NCK_NUM_OF(1);
     self->wish = *wish;
@@ -440,6 +445,14 @@ nck_status_t nck_motion_step(nck_motion_t *self) {
     default:
         return NCK_DONE;
     }
+}
+
+uint32_t nck_motion_price(const nck_motion_t *self) {
+    const uint32_t axes = (uint32_t)self->limited;
+    const int is_rough = (self->wish.ends & NCK_MOTION_COARSE) != 0;
+    if (self->phase == SOLVE) return 11;
+    if (is_rough) return (3 * axes + 1) / 2;
+    return self->phase == ASSEMBLE ? (8 * axes + 2) / 3 : 2 * axes;
 }
 
 nck_num nck_motion_b(const nck_motion_t *self, int k) { return self->b[k + 1]; }

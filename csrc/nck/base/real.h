@@ -37,7 +37,7 @@ typedef long nck_int64;
 #define NCK_NUM_ABS(x) fabs(x)
 #else
 #include <math.h>   // sqrt fabs floor: exact in IEEE 754, no other function of libm is used
-#include <stdint.h> // int64_t
+#include <stdint.h> // int64_t uint32_t
 
 #include "nck/base/trig.h" // nck_sincos nck_atan2
 
@@ -67,6 +67,11 @@ static inline double nck_mm_of(int64_t nm) { return (double)nm / 1e6; }
 // Is a value in a range? NaN is in none.
 static inline int nck_within(double value, double low, double high) {
     return value >= low && value <= high;
+}
+
+// The larger one of two counts.
+static inline uint32_t nck_larger(uint32_t one, uint32_t other) {
+    return one > other ? one : other;
 }
 #endif
 

@@ -381,6 +381,12 @@ static inline void work(nck_fair_t *self, int axes) {
     }
 }
 
+nck_num nck_fair_tightness(const nck_fair_t *self, int i, int intervals) {
+    nck_num sum = 0;
+    for (int b = NCK_FAIR_BINS * i; b < NCK_FAIR_BINS * (i + intervals); b++) sum += self->price[b];
+    return sum;
+}
+
 nck_status_t nck_fair_step(nck_fair_t *self) {
     switch (self->task.axes) {
     case 2: work(self, 2); break;

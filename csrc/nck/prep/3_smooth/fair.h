@@ -104,6 +104,16 @@ void nck_fair_close_bin(nck_fair_t *self, nck_num limit);
 // So many samples still have room beside one for each bin to come. Cost: constant. Context: prep.
 int nck_fair_room(const nck_fair_t *self);
 
+// What a step takes at most, in thousands of a PC's instructions without vectors. Cost: constant.
+// Context: prep.
+static inline uint32_t nck_fair_price(const nck_fair_t *self) {
+    return self->phase == NCK_FAIR_SOLVE ? 23 : self->phase == NCK_FAIR_BACK ? 5 : 7;
+}
+
+// What holds the curve back in so many intervals from the i-th on: the prices of their rows.
+// Cost: linear in them. Context: prep.
+nck_num nck_fair_tightness(const nck_fair_t *self, int i, int intervals);
+
 // Work on it: a slice of an iteration. Returns NCK_OK (call again); NCK_DONE: y is the answer.
 // Cost: 8 000 operations or one interval. Context: prep.
 nck_status_t nck_fair_step(nck_fair_t *self);

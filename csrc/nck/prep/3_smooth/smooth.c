@@ -277,6 +277,10 @@ void nck_smooth_hurry(nck_smooth_t *self) {
     if (nck_stream_hurry(&nck_runs_of(self)->stream)) self->hungry = 0;
 }
 
+uint32_t nck_smooth_price(nck_smooth_t *self) {
+    return nck_runs_is_open(self) ? nck_stream_price(&nck_runs_of(self)->stream) : 0;
+}
+
 int nck_smooth_invariants(const nck_smooth_t *self) {
     const int takes = nck_runs_is_open(self) && !NCK_OPTIMAL_VALUE(self, clocked.closed);
     return (self->next.has_seg || !(self->next.seg.length > 0.0) || !waits(self))

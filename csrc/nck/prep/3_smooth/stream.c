@@ -170,22 +170,15 @@ static void take_curve(nck_stream_t *self) {
     }
 }
 
-// What P holds back in the intervals behind a seam at the knot k: the prices of their rows.
-static nck_num tightness(const nck_fair_t *fair, int k) {
-    nck_num sum = 0;
-    for (int b = NCK_FAIR_BINS * k; b < NCK_FAIR_BINS * (k + NEXT); b++) sum += fair->price[b];
-    return sum;
-}
-
 // How much of the window is given: what knows enough of what follows, half of a short window, up
 // to where the next one's begin is least held. In a corner another clock may have no curve at all.
 static int to_commit(const nck_stream_t *self) {
     const int knots = self->clock.knots;
     if (self->clock.ends) return knots;
     int best = knots > 2 * FURTHER ? knots - FURTHER : knots / 2;
-    nck_num least = tightness(&self->work.fair, best);
+    nck_num least = nck_fair_tightness(&self->work.fair, best, NEXT);
     for (int k = best - 1; k >= best / 2; k--) {
-        const nck_num here = tightness(&self->work.fair, k);
+        const nck_num here = nck_fair_tightness(&self->work.fair, k, NEXT);
         if (!(here < RELAXED * least)) continue;
         least = here;
         best = k;
@@ -382,17 +375,20 @@ static nck_status_t turn(nck_stream_t *self, int from) {
     return go(self, NCK_STREAM_KEEP);
 }
 
-// 1 if the plan along the curve is its clock: another round would change nothing.
-static int is_steady(const nck_stream_t *self) {
-    const int to = self->clock.knots < self->given + AHEAD ? self->clock.knots
-                                                           : self->given + AHEAD;
-    uint32_t near = self->track.tail;
-    nck_num sum = 0;
-    for (int k = 0; k <= to; k++) {
-        const nck_num now = nck_timing_factor(&self->clock, &self->track, &near, k, self->b[k]);
-        sum += NCK_NUM_ABS(now - 1);
+// Where the plan along the curve is its clock another round would change nothing.
+static nck_status_t compare(nck_stream_t *self) {
+    const int all = self->given + AHEAD;
+    const int to = self->clock.knots < all ? self->clock.knots : all;
+    for (int k = 0; k < POINTS && self->at <= to; k++, self->at++) {
+        const nck_num now = nck_timing_factor(&self->clock, &self->track, &self->near, self->at,
+                                              self->b[self->at]);
+        self->off += NCK_NUM_ABS(now - 1);
     }
-    return sum <= (nck_num)STEADY * (nck_num)(to + 1);
+    if (self->at <= to) return NCK_OK;
+    self->planned = self->off <= (nck_num)STEADY * (nck_num)(to + 1);
+    if (self->planned) return go(self, NCK_STREAM_PROVE);
+    self->round++;
+    return turn(self, 0);
 }
 
 static nck_status_t make_motion(nck_stream_t *self) {
@@ -407,10 +403,9 @@ static nck_status_t make_motion(nck_stream_t *self) {
     }
     for (int k = 0; k <= self->clock.knots && !good; k++) self->b[k] = (nck_num)NEAR;
     if (self->commit > 0) return go(self, NCK_STREAM_GIVE);
-    if (good && self->sound && is_steady(self)) {
-        self->planned = 1;
-        return go(self, NCK_STREAM_PROVE);
-    }
+    self->near = self->track.tail;
+    self->off = 0;
+    if (good && self->sound) return go(self, NCK_STREAM_COMPARE);
     self->round++;
     return turn(self, 0);
 }
@@ -468,6 +463,8 @@ nck_status_t nck_stream_step(nck_stream_t *self) {
         return set_nodes(self);
     case NCK_STREAM_MOTION:
         return make_motion(self);
+    case NCK_STREAM_COMPARE:
+        return compare(self);
     case NCK_STREAM_PROVE:
         return prove(self);
     case NCK_STREAM_REST:

@@ -38,6 +38,7 @@ typedef enum nck_stream_phase {
     NCK_STREAM_FAIR,      // the smoothest one
     NCK_STREAM_NODES,     // its motion: set up
     NCK_STREAM_MOTION,    // solve
+    NCK_STREAM_COMPARE,   // is it the clock?
     NCK_STREAM_PROVE,     // is it within P everywhere?
     NCK_STREAM_REST,      // could it come to rest behind what is given?
     NCK_STREAM_GIVE,      // pieces to take
@@ -80,6 +81,7 @@ typedef struct nck_stream {
     double seam[3][NCK_AXIS_MAX];                 // control points given last
     double point[NCK_FAIR_POINTS][NCK_AXIS_MAX];  // of the window
     nck_num b[NCK_FAIR_KNOTS + 1];                // of the clock's plan
+    nck_num off;         // by so much it is off the clock, as far as they are compared
     int planned;         // 1: it is that of the curve in work
     int moving;          // axes that move in the window, of axis[]: those that `fair` has
     uint8_t axis[NCK_AXIS_MAX];
@@ -108,6 +110,22 @@ void nck_stream_close(nck_stream_t *self);
 // piece waits to be taken; NCK_DONE: all of the run is given.
 // Cost: 8 000 operations, or linear in the knots of a window. Context: prep.
 nck_status_t nck_stream_step(nck_stream_t *self);
+
+// What the next step takes at most, in thousands of a PC's instructions. Cost: constant.
+// Context: prep.
+static inline uint32_t nck_stream_price(const nck_stream_t *self) {
+    switch (self->phase) {
+    case NCK_STREAM_GUESS: return 9;
+    case NCK_STREAM_FAIR: return nck_fair_price(&self->work.fair);
+    case NCK_STREAM_MOTION: return nck_motion_price(&self->work.plan.motion);
+    case NCK_STREAM_SAMPLES:
+    case NCK_STREAM_PROVE: return 5;
+    case NCK_STREAM_REST: return 16;
+    case NCK_STREAM_GIVE:
+    case NCK_STREAM_OVER: return 2;
+    default: return 7;
+    }
+}
 
 // Nobody knows when more segs come: a window of what is known, if it is enough for one. Returns 1
 // if it is: step anew. Behind NCK_EMPTY. Cost: constant. Context: prep.

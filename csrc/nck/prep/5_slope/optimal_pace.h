@@ -8,7 +8,7 @@
 // Sizes.
 enum {
     NCK_OPTIMAL_GIVEN = 2, // nodes that a plan takes over from the one before
-    NCK_OPTIMAL_FILL = 8, // nodes filled in one bounded step
+    NCK_OPTIMAL_FILL = 4, // nodes filled in one bounded step
     NCK_OPTIMAL_DRAW = 4  // the same of intervals drawn: up to eight cells each
 };
 // A plan that keeps within so much of the caps needs no price.

@@ -21,6 +21,10 @@ void nck_planner_begin(nck_slope_t *self, const nck_job_t *job);
 nck_status_t nck_planner_step(nck_slope_t *self, const nck_pieces_t *pieces);
 void nck_planner_hurry(nck_slope_t *self);
 
+// What the next step of the plan in work takes at most, in thousands of a PC's instructions; 0: it
+// may wait for pieces. Cost: constant.
+uint32_t nck_planner_price(const nck_slope_t *self);
+
 // The first cell of the plan of now, from this one on, that another plan can begin with.
 // Cost: linear in the cells passed.
 uint32_t nck_planner_seam(nck_slope_t *self, uint32_t cell);

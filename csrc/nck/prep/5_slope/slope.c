@@ -190,11 +190,6 @@ static uint32_t takeover(nck_slope_t *self) {
     return nck_planner_seam(self, cell_after(self, final_count(self), time, self->now.n));
 }
 
-// Cells that the tick has taken since the plan in work was begun.
-static uint32_t passed_meanwhile(const nck_slope_t *self) {
-    return (nck_link_taken(self->link) - self->begun.taken) & NCK_LINK_COUNT_MASK;
-}
-
 // How long they lasted [s]: a ladder for far lower speeds is passed in no time, and cells at an
 // even speed last several periods, so their count tells nothing of it.
 static double passed_s(nck_slope_t *self) {
@@ -276,11 +271,12 @@ static void give_up(nck_slope_t *self, const nck_pieces_t *pieces) {
     const int brakes = self->kind == NCK_JOB_BRAKE;
     const int is_short = nck_planner_kind(self) == NCK_SLOPE_OPTIMAL;
     const uint32_t held = brakes ? self->next.held : (uint32_t)NCK_HELD_NOT;
+    const uint32_t passed = nck_link_taken(self->link) - self->begun.taken;
     self->phase = PHASE_IDLE;
     self->awaits_tail = self->hurried; // a rest that nobody asked for is told as starvation
     if (self->hurried) return;
     self->anew = 1;
-    self->now.commit += brakes     ? NO_BRAKE + passed_meanwhile(self)
+    self->now.commit += brakes     ? NO_BRAKE + (passed & NCK_LINK_COUNT_MASK)
                         : is_short ? (uint32_t)NO_MOTION
                                    : (uint32_t)NO_WAY;
     self->now.commit = nck_planner_seam(self, self->now.commit);
@@ -456,6 +452,10 @@ int nck_slope_hurry(nck_slope_t *self, uint32_t periods) {
 uint32_t nck_slope_needs(const nck_slope_t *self) {
     const int looks_back = nck_planner_kind(self) == NCK_SLOPE_JERK;
     return looks_back && final_count(self) < self->now.n ? self->now.first_piece : self->now.piece;
+}
+
+uint32_t nck_slope_price(const nck_slope_t *self) {
+    return self->phase == PHASE_MAKE ? nck_planner_price(self) : 0;
 }
 
 int nck_slope_is_held(const nck_slope_t *self) {

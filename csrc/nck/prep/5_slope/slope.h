@@ -121,6 +121,10 @@ static inline int nck_slope_is_answering(const nck_slope_t *self) {
     return self->answer.pending != 0;
 }
 
+// What the next step takes at most, in thousands of a PC's instructions; 0: other rooms may have
+// their turn. Cost: constant. Context: prep.
+uint32_t nck_slope_price(const nck_slope_t *self);
+
 // 1 if the plans of now are along a clocked path. Cost: constant. Context: prep.
 static inline int nck_slope_is_clocked(const nck_slope_t *self) {
     return self->kind_in_force == NCK_SLOPE_OPTIMAL;

@@ -316,8 +316,9 @@ static double change_to_run(const ease_pace_t *pace, double period) {
 }
 
 // Where no k″ is known behind which k′ can be eased off, easing off at once among them, of a clock
-// that sets off: a plan has come that brakes, so that its axes allow less than was counted on. Once it takes all that axes allow
-// without the plan (most), k′ is led to be gone when k is 1: the plan is never overtaken.
+// that sets off: a plan has come that brakes, so that its axes allow less than was counted on. Once
+// it takes all that axes allow without the plan (most), k′ is led to be gone when k is 1: the plan
+// is never overtaken.
 static double change_at_last(const ease_pace_t *pace, double change, double most, double period) {
     const double left = nck_max(1.0 - pace->k, 0.5 * pace->dk * period);
     const double must = 0.5 * pace->dk * pace->dk / left;
