@@ -101,7 +101,8 @@ def machine_image(machine, set_name):
     homes = 4 if given.get("NCK_CYCLES", 1) and given.get("NCK_LANGUAGE", 4) else 2  # NCK_HOMES
     whole = dtype("nck_machine_t")
     if given.get("NCK_VARIABLES", 1) == 0:  # has no clock
-        whole = np.dtype([(name, whole[name]) for name in whole.names if name != "clock"], align=True)
+        kept = [(name, whole[name]) for name in whole.names if name != "clock"]
+        whole = np.dtype(kept, align=True)
     image = np.zeros(1, _smaller(whole, lengths, homes))
     _copy(machine.record, image[0])
     return image.tobytes()
