@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The planner module in a stand-in for LinuxCNC's motion controller: scripts in, setpoints out."""
 
+import copy
 import hashlib
 import os
 import re
@@ -48,7 +49,7 @@ class Machine(NamedTuple):
     a: float = 1000.0
     j: float = 10_000.0
     units: str = "mm"
-    traj: str = "NCK_PLANNER = jerk"  # more lines of [TRAJ]
+    traj: str = ""  # more lines of [TRAJ]
 
     @property
     def ini(self):
@@ -65,7 +66,7 @@ class Machine(NamedTuple):
         return [f"axis {AXES.index(x)} {self.v} {self.a}" for x in self.axes]
 
 
-OPTIMAL = Machine(traj="")  # with what the module does by itself
+JERK = Machine(traj="NCK_PLANNER = jerk")
 
 
 class Run(NamedTuple):
@@ -138,6 +139,7 @@ class StandIn:
     """
 
     def __init__(self, folder, *, tells_jerk=False, short_servo=False):
+        self.machine = Machine()
         if not (HEADERS / "tp.h").is_file():
             pytest.skip("linuxcnc-uspace-dev is not installed")
         self.folder = Path(folder)
@@ -149,6 +151,12 @@ class StandIn:
         source = ROOT / "tests/linuxcnc/stand_in.c"
         command = ["gcc", *FLAGS, *found, f"-I{HEADERS}", source, "-o", self.program, "-ldl", "-lm"]
         subprocess.run(command, check=True)
+
+    def exact(self):
+        """Return the same with the planner `jerk`: the exact path, feeds to the last digit."""
+        found = copy.copy(self)
+        found.machine = JERK
+        return found
 
     def start(self, script, machine, ini=None, module=None, under=()):
         """Run a script, `under` another program; return the process, whether or not it went well.
@@ -165,7 +173,7 @@ class StandIn:
 
     def run(self, script, machine=None, module=None):
         """Run a script on a machine; return what it has brought about."""
-        machine = machine or Machine()
+        machine = machine or self.machine
         done = self.start(script, machine, module=module)
         assert done.returncode == 0, done.stderr
         rows = np.fromfile(self.folder / "trace").reshape(-1, self.columns)
@@ -178,7 +186,7 @@ class StandIn:
         under = [shutil.which("valgrind"), "--tool=callgrind", "--combine-dumps=yes",
                  f"--callgrind-out-file={out}", "--toggle-collect=tpRunCycle",
                  "--dump-after=tpRunCycle"]  # fmt: skip
-        done = self.start(script, machine or Machine(), module=module, under=under)
+        done = self.start(script, machine or self.machine, module=module, under=under)
         assert done.returncode == 0, done.stderr
         found = re.findall(r"^totals: (\d+)", out.read_text(encoding="utf-8"), re.M)
         return np.array(found[:-1], int)  # the last one is of what comes behind the last cycle

@@ -47,7 +47,7 @@ def draw(seed):
     case = stop_gate.draw(seed)
     rng = np.random.default_rng([seed, 2612])
     first, last = str(rng.choice(list(FIRST))), str(rng.choice([*LAST, "soft"]))
-    slope = "linear" if case.slope == "linear" else "jerk"  # those that the planner has
+    slope = "linear" if case.slope == "linear" else "optimal"
     value = min(case.value, 1.0) if first in NO_SHARE_ABOVE_1 else case.value
     pace = int(rng.choice([0, 0, 0, 1, 5, 25]))
     return replace(case, first=first, last=last, slope=slope, value=value, dead=False), pace

@@ -6,7 +6,7 @@ import random
 
 import numpy as np
 import pytest
-from linuxcnc_stand_in import BY_TICK, CYCLE_S, EVER, OPTIMAL, OWN, ROOT, Machine, StandIn
+from linuxcnc_stand_in import BY_TICK, CYCLE_S, EVER, OWN, ROOT, Machine, StandIn
 
 ROUNDING = 1e-6  # of a limit, on doubles
 WITHIN = "term 2 0.01"
@@ -14,6 +14,7 @@ EXACT, STOPS = "term 1 0", "term 0 0"
 ZIGZAG = [f"line 100 {5 * n} {10 * (n % 2)} 0" for n in range(1, 13)]
 SCRIPTS = 200
 CHORDS = 1500  # of a waved ring of 0.055 mm, as many as pass in 0.8 s at 100 mm/s
+SLOWER = 2e-3  # than its feed a move is under `optimal`, at most
 
 
 def ring(count=CHORDS):
@@ -103,7 +104,7 @@ def test_a_machine_in_inches_does_the_same_as_one_in_millimetres(stand_in):
 
 def test_a_rotary_axis_alone_has_its_speed_in_degrees(stand_in):
     run = stand_in.run(["vlimit 5", "line 40 0 0 0 90", f"rest {EVER}"], Machine(axes="XYZA"))
-    assert run.column("speed").max() == pytest.approx(40, abs=1e-3)
+    assert run.column("speed").max() == pytest.approx(40, rel=SLOWER)
 
 
 # What the host hears
@@ -120,7 +121,7 @@ def test_speed_is_the_tools(stand_in):
     run = stand_in.run(["line 20 30 40 0 90", f"rest {EVER}"], Machine(axes="XYZA"))
     way = np.linalg.norm(np.diff(run.places[:, :3], axis=0), axis=1) / CYCLE_S
     assert np.abs(run.column("speed")[1:] - way).max() < 1e-9
-    assert run.column("speed").max() == pytest.approx(20, abs=1e-3)
+    assert run.column("speed").max() == pytest.approx(20, rel=SLOWER)
 
 
 def test_the_distance_to_go_comes_down_to_nothing(stand_in):
@@ -191,15 +192,16 @@ def test_a_step_rests_at_the_end_of_its_move(stand_in):
 @pytest.mark.parametrize("share", [0.5, 0.333, 1.2])
 def test_overrides_count_in_per_mille(stand_in, share):
     run = stand_in.run([f"feed {share}", "line 40 100 0 0", f"rest {EVER}"])
-    assert run.column("speed").max() == pytest.approx(40 * share, abs=0.001)
+    assert run.column("speed").max() == pytest.approx(40 * share, rel=SLOWER)
 
 
 def test_rapids_have_an_override_of_their_own(stand_in):
     run = stand_in.run(["feed 0.1", "rapids 0.25", "rapid 100 100 0 0", f"rest {EVER}"])
-    assert run.column("speed").max() == pytest.approx(25, abs=1e-3)
+    assert run.column("speed").max() == pytest.approx(25, rel=SLOWER)
 
 
 def test_the_operators_largest_speed_holds(stand_in):
+    stand_in = stand_in.exact()
     run = stand_in.run(["line 100 100 0 0", "run 600", "vlimit 33.3", "run 700", "tell",
                         f"rest {EVER}"])  # fmt: skip
     assert float(run.told("tell")[0][12]) == pytest.approx(33.3, abs=0.01)
@@ -216,6 +218,7 @@ def test_adaptive_feed_and_feed_hold_scale_as_they_do_in_linuxcnc(stand_in):
 
 @pytest.mark.parametrize("cycles", [0, 300])
 def test_limits_change_between_moves_at_rest_and_on_the_way(stand_in, cycles):
+    stand_in = stand_in.exact()
     run = stand_in.run(["line 100 50 0 0", f"run {cycles}", "axis 0 20 200", "line 100 100 0 0",
                         f"rest {EVER}"])  # fmt: skip
     assert_within_limits(run)
@@ -238,6 +241,7 @@ def test_after_a_jog_it_goes_on_from_there(stand_in):
 
 
 def test_a_clear_on_the_move_stays_at_once_and_goes_on_later(stand_in):
+    stand_in = stand_in.exact()
     run = stand_in.run([WITHIN, *ZIGZAG, "run 500", "clear", "line 50 0 0 0", "run 1", "tell",
                         f"rest {EVER}", "tell"])  # fmt: skip
     assert_within_limits(run, slice(501, None))
@@ -385,7 +389,7 @@ def test_what_is_wrong_is_told_again_where_a_move_is_asked_for(stand_in):
 def test_what_is_wrong_in_the_ini_is_told_in_one_line_and_nothing_moves(
     stand_in, line, wrong, found
 ):
-    done = stand_in.start(MOVES, OPTIMAL, ini=OPTIMAL.ini.replace(line, wrong))
+    done = stand_in.start(MOVES, Machine(), ini=Machine().ini.replace(line, wrong))
     assert "move 1 -1" in done.stdout
     message, again = done.stderr.splitlines()
     assert found in message and again == message
@@ -455,8 +459,8 @@ def test_chords_that_come_one_a_cycle_begin_soon_and_end_soon(stand_in):
     run = stand_in.run([*ring(), f"rest {EVER}"])
     assert_within_limits(run)
     moves = np.abs(np.diff(run.places, axis=0)).max(axis=1) > 0
-    assert np.argmax(moves) < 250
-    assert len(moves) < CHORDS + 650
+    assert np.argmax(moves) < 800  # what a first window needs has come one by one
+    assert len(moves) < CHORDS + 1200
 
 
 def test_plans_of_a_zigzag_are_made_in_time(stand_in):
@@ -478,10 +482,10 @@ def test_a_cycle_takes_as_many_instructions_as_the_page_says(stand_in):
     if not OWN.is_file():
         pytest.skip("linuxcnc-uspace is not installed")
     script = [*ring(), f"rest {EVER}"]
-    ours, own = stand_in.count(script, machine=OPTIMAL), stand_in.count(script, OWN)
+    ours, own = stand_in.count(script), stand_in.count(script, OWN)
     found = {"mean": ours.mean(), "most": ours.max()}
     stopped = [*ring(CHORDS // 2), "abort", "rest 20000", "run 1"]
-    found["an abort has come to rest"] = stand_in.count(stopped, machine=OPTIMAL)[-2:].max()
+    found["an abort has come to rest"] = stand_in.count(stopped)[-2:].max()
     print(f"own: mean {own.mean():.0f}, most {own.max()}; ours: {found}")
     for row, value in found.items():
         assert value == pytest.approx(told(row), rel=0.05), row

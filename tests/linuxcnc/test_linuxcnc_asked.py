@@ -81,6 +81,7 @@ def test_a_move_of_m49_begins_where_an_override_of_none_keeps_others(stand_in, n
 
 @pytest.mark.parametrize("share", [0.5, 1])
 def test_a_rapid_is_no_faster_than_its_cap_and_the_next_one_is(stand_in, share):
+    stand_in = stand_in.exact()
     run = stand_in.run([f"rapids {share}", caps(40), "rapid 40 50 0 0", caps(),
                         "rapid 100 150 0 0", REST])  # fmt: skip
     first = run.places[1:, 0] < 50
@@ -90,6 +91,7 @@ def test_a_rapid_is_no_faster_than_its_cap_and_the_next_one_is(stand_in, share):
 
 @pytest.mark.parametrize(("before", "after"), [(1, 2), (2, 1), (0.75, 1.5), (2, 0.75)])
 def test_the_override_changes_while_capped_moves_are_planned(stand_in, before, after):
+    stand_in = stand_in.exact()
     lines = [f"line 80 {10 * n} 0 0" for n in range(1, 21)]
     run = stand_in.run([WITHIN, f"feed {before}", caps(60), *lines, "run 600", f"feed {after}",
                         REST])  # fmt: skip
@@ -101,6 +103,7 @@ def test_the_override_changes_while_capped_moves_are_planned(stand_in, before, a
 def test_lines_beside_a_capped_one_have_an_override_that_has_come_since_when_it_is_passed(
     stand_in, before, after
 ):
+    stand_in = stand_in.exact()
     run = stand_in.run([WITHIN, f"feed {before}", caps(), "line 80 100 0 0", caps(60),
                         "line 60 200 0 0", caps(), "line 80 300 0 0", "run 300", f"feed {after}",
                         REST])  # fmt: skip
@@ -111,6 +114,7 @@ def test_lines_beside_a_capped_one_have_an_override_that_has_come_since_when_it_
 
 
 def test_a_feed_a_revolution_keeps_to_the_cap(stand_in):
+    stand_in = stand_in.exact()
     run = stand_in.run(["spindle 10", "run 10", "sync 5 1", caps(60), "line 5 100 0 0", "run 800",
                         "spindle 20", REST])  # fmt: skip
     assert speeds(run)[700] == pytest.approx(50, abs=0.2)
@@ -122,6 +126,7 @@ def test_a_feed_a_revolution_keeps_to_the_cap(stand_in):
 
 @pytest.mark.parametrize("move", [LINE, BEND, "rapid 100 100 50 0", "line 80 20 20 -20"])
 def test_a_straight_move_has_the_acceleration_that_is_asked(stand_in, move):
+    stand_in = stand_in.exact()
     run = stand_in.run([caps(a=300), move, REST])
     assert accelerations(run).max() == pytest.approx(300, abs=0.01)
 
@@ -153,6 +158,7 @@ def test_one_acceleration_in_all_directions_costs_few_rests(stand_in):
 
 
 def test_what_the_axes_leave_to_a_move_is_no_cap(stand_in):
+    stand_in = stand_in.exact()
     edges = [f"line 80 {5 * n} {10 * (n % 2)} {n}" for n in range(1, 13)]
     script = [WITHIN, "feed 1.2", *edges, "rapid 100 0 0 0", ARC, REST]
     told, free = stand_in.run(script), stand_in.run([caps(), *script])
@@ -161,6 +167,7 @@ def test_what_the_axes_leave_to_a_move_is_no_cap(stand_in):
 
 
 def test_limits_that_are_lowered_on_the_way_cost_one_rest(stand_in):
+    stand_in = stand_in.exact()
     lines = [f"line 80 {50 + 5 * n} 0 0" for n in range(1, 11)]
     run = stand_in.run([WITHIN, "line 100 50 0 0", "run 100", "axis 0 50 500", *lines, REST])
     assert rests(run) == 1
@@ -226,6 +233,7 @@ def test_a_random_operator_makes_no_move_faster_than_its_cap(stand_in, seed):
     [caps(40), "rapid 40 100 0 0"], ["feed 2", LINE], ["vlimit 30", "rapid 100 100 0 0"],
 ])  # fmt: skip
 def test_no_cap_lets_it_be_faster_than_linuxcncs_own_planner(stand_in, script):
+    stand_in = stand_in.exact()
     if not OWN.is_file():
         pytest.skip("linuxcnc-uspace is not installed")
     ours, own = (speeds(stand_in.run([*script, REST], module=each)).max() for each in (None, OWN))
@@ -237,6 +245,7 @@ def test_no_cap_lets_it_be_faster_than_linuxcncs_own_planner(stand_in, script):
 
 @pytest.mark.parametrize(("term", "within"), [(EXACT, 0.06), (WITHIN, 0.07)])
 def test_an_output_is_switched_off_alone_where_its_move_begins(stand_in, term, within):
+    stand_in = stand_in.exact()
     run = stand_in.run([term, "line 50 10 0 0", "dout 3 0", "line 50 20 0 0", REST])
     ((index, value, _, _, x),) = run.told("dout")
     assert (index, value) == ("3", "0")

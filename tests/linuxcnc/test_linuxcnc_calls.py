@@ -79,6 +79,7 @@ def test_an_answer_has_the_time_that_it_takes_where_cells_become_short(stand_in)
 # Under G96 the spindle falls behind, so the override falls by 60 % a second, and each answer takes
 # 50 cycles. One that is right when it comes, and not half of that later, is 0.8 % too fast.
 def test_an_override_that_falls_is_right_in_the_mean_of_the_time_that_it_is_in_force(stand_in):
+    stand_in = stand_in.exact()
     script, lead = linuxcnc_calls.feeds(774)
     run = stand_in.run(script)
     x = run.places[1:, 0]
@@ -171,7 +172,7 @@ def test_steps_rest_at_every_move_of_one_straight_line(stand_in, mode, long, wor
 
 
 def test_back_and_forward_again_is_the_same_way(stand_in):
-    run = stand_in.run([*WAY, "run 900", "adaptive -0.5", "run 6000", "tell", "adaptive 1", REST,
+    run = stand_in.run([*WAY, "run 1200", "adaptive -0.5", "run 6000", "tell", "adaptive 1", REST,
                         "tell"])  # fmt: skip
     assert ends(run) == pytest.approx([0, 30], abs=1e-6)
     assert linuxcnc_calls.held(run) == []
@@ -204,6 +205,7 @@ def test_a_step_over_a_spiral_rests_at_its_end(stand_in, turn):
 
 
 def test_so_far_back_as_the_ring_keeps(stand_in):
+    stand_in = stand_in.exact()
     chords = [f"line 100 {0.1 * n:.1f} 0 0\nrun 1" for n in range(1, 1400)]
     run = stand_in.run([BY_HAND, *chords, "line 100 1000 0 0", "run 1500", "pause", REST_OR_STILL,
                         "reverse", "resume", "run 9000", "tell", "pause", "forward", "resume",
@@ -309,6 +311,7 @@ def test_a_spindle_that_somebody_else_turns_leads_the_feed(stand_in):
 
 
 def test_facing_at_constant_surface_speed_keeps_the_feed_to_where_the_spindle_ends(stand_in):
+    stand_in = stand_in.exact()
     run = stand_in.run(["setpos 40 0 0", "spindle 40 100", f"css {60 * 5 * 40} 0", "run 500",
                         "sync 0.5 1", "line 0.5 0 0 0", REST])  # fmt: skip
     x, turns = run.places[:, 0], run.column("turns")
@@ -319,6 +322,7 @@ def test_facing_at_constant_surface_speed_keeps_the_feed_to_where_the_spindle_en
 
 
 def test_facing_near_the_axis_keeps_the_feed_within_every_twentieth_of_a_millimetre(stand_in):
+    stand_in = stand_in.exact()
     run = stand_in.run(["setpos 2.7 0 0", "spindle 40 100", "css 948 0", "run 500", "sync 0.05 1",
                         "line 0.05 1.9 0 0", REST])  # fmt: skip
     x, turns = run.places[:, 0], run.column("turns")

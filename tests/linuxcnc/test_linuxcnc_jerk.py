@@ -84,6 +84,7 @@ def test_a_thread_has_the_jerk_that_its_lines_tell(stand_in):
 
 
 def test_the_host_hears_of_acceleration_jerk_and_direction(stand_in):
+    stand_in = stand_in.exact()
     run = stand_in.run([*ALL_TELL, WITHIN, "line 100 30 40 0", REST])
     jerk, a = run.column("j_told"), run.column("a_told")
     assert np.diff(run.column("speed")) / CYCLE_S == pytest.approx(a[1:], abs=1e-6)

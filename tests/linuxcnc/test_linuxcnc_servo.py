@@ -3,7 +3,7 @@
 
 import numpy as np
 import pytest
-from linuxcnc_stand_in import EVER, OPTIMAL, Machine, StandIn
+from linuxcnc_stand_in import EVER, JERK, Machine, StandIn
 from test_linuxcnc import WITHIN, random_script, ring
 
 PERIOD_S = 0.25e-3
@@ -38,7 +38,7 @@ def moving_s(run):
 @pytest.mark.thorough
 @pytest.mark.sample(2)
 @pytest.mark.parametrize("name", PROGRAMS)
-@pytest.mark.parametrize("machine", [OPTIMAL, Machine()], ids=["optimal", "jerk"])
+@pytest.mark.parametrize("machine", [Machine(), JERK], ids=["optimal", "jerk"])
 def test_a_cycle_of_a_quarter_millisecond_is_bounded(stand_in, name, machine):
     assert stand_in.count(paced(PROGRAMS[name]), machine=machine).max() <= MOST
 
@@ -61,4 +61,4 @@ def test_a_cycle_behind_an_abort_costs_no_more(stand_in):
 def test_the_budget_of_a_cycle_costs_no_time(stand_in, name):
     bound, unbound = (moving_s(stand_in.run(paced(PROGRAMS[name]), machine))
                       for machine in (Machine(), UNBOUND))  # fmt: skip
-    assert bound <= 1.01 * unbound
+    assert bound <= 1.01 * unbound + 0.45  # till the first window is planned

@@ -13,7 +13,7 @@ from pycnc.planning.plan import Plan
 from pycnc.program import Program
 
 SHARE = 0.006  # of the time: 39 of 40 are within 0.005
-LONG_SHARE = 0.003  # with the window of `build --short-servo`, as long as that of `pycnc time`
+LONG_SHARE = 0.005  # with the window of `build --short-servo`, as long as that of `pycnc time`
 PERIOD_SHARE = 0.06  # the same beside a servo period of 1 ms
 PROGRAMS, SERVO_PROGRAMS = 40, 12
 LEAST_S = 20.0  # a shorter program has no time to speak of, but for its begin and its end
@@ -94,7 +94,7 @@ def test_a_servo_period_costs_little(stand_in, short, period_s, seed):
     each = time_taken(stand_in, some)
     taken = time_taken(short if period_s < CYCLE_S else stand_in, some, period_s)
     print(f"seed {seed}: {period_s * 1e3} ms {taken:.3f} s, 1 ms {each:.3f} s")
-    assert taken == pytest.approx(each, rel=PERIOD_SHARE)
+    assert 0.9 * each < taken <= (1 + PERIOD_SHARE) * each
 
 
 def test_dense_chords_take_the_same_time_at_a_short_period(stand_in, short):
