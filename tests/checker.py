@@ -30,7 +30,7 @@ SHARE = 1e-6  # how far a limit may be passed
 # … by acceleration and jerk where a late prep lets the tick brake by itself: it goes by the steps
 # of a plan that it follows (csrc/nck/tick/6_interpolate/README.md, "The clock").
 LATE_SHARE = 0.05
-OPTIMAL = 2  # nck_slope_kind_t
+SPLINE = 2  # nck_seg_kind_t: an interval of a clocked path
 STRETCH = 2.5  # a smoothed path may be as much longer than its coordinate somewhere
 ROUNDING = 8 * 2.0**-52  # of a coordinate, 8 ulp at most; felt in accelerations by 1/T²
 PATH_ERROR_MM = 1e-6
@@ -187,7 +187,7 @@ class Checker:
         self._axis_limits(poses, joints, block)
         s = rows["pose"]["s"]
         way = np.linalg.norm(np.diff(np.concatenate([self._poses[-1:], poses]), axis=0), axis=1)
-        clocked = self._is_clocked(block)
+        clocked = rows["pose"]["kind"] == SPLINE  # its coordinate is not the path's length
         self._along_limits(poses, clocked)
         self._progress(s, poses, np.where(clocked, 0, way), clocked)
         self._feed(s, way, clocked)
@@ -282,11 +282,6 @@ class Checker:
         age = here - np.maximum.accumulate(np.where(entered, here, -1 - self._settled))
         self._settled = int(age[-1]) + 1
         return smoothed | ((self.path.length[block] > 0) & (age >= SETTLED))
-
-    def _is_clocked(self, block):
-        """Return where the path is clocked: its coordinate is the program's, not its length."""
-        moves = (self.path.tolerance[block] > 0) & (self.path.length[block] > 0)
-        return moves & (self._limits.slope == OPTIMAL)
 
     def _along_limits(self, poses, clocked):
         """What of acceleration and jerk lies along a clocked path keeps to the path's own limits.

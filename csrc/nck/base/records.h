@@ -137,7 +137,7 @@ typedef struct nck_block {
 // Where a seg's axes keep to their jerk beside what its own straight ways and arcs ask for.
 typedef enum nck_keep {
     NCK_KEEP_NOTHING = 0, // exact path: junctions are crossed by the transfer rule
-    NCK_KEEP_TURNS = 1    // of a block of NCK_PATH_TURNS
+    NCK_KEEP_TURNS = 1    // of a block of NCK_PATH_TURNS, or of a tolerance too small for a curve
 } nck_keep_t;
 
 // The marks of a seg (marks.h).

@@ -20,6 +20,7 @@ typedef struct nck_terms {
     double rest_s;       // what a rest costs besides its ramps [s]
     double knot_s;       // how long an interval of a clocked path lasts by its clock [s]; 0: there
                          // are none
+    double knot_p;       // the least tolerance that such intervals are short enough for [mm]
     double knots_most;   // so many times as long at most where nothing is near; 1 at least
 } nck_terms_t;
 

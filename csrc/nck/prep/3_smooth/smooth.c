@@ -64,9 +64,20 @@ static double path_feed(const nck_block_t *block, const nck_seg_t *seg) {
 }
 
 // Within a tolerance, under the optimal slope.
-static int is_smooth(const nck_smooth_t *self, const nck_block_t *block) {
+static int is_within(const nck_smooth_t *self, const nck_block_t *block) {
     return nck_runs_are_clocked(self) && block->kind <= NCK_BLOCK_ARC
            && block->path_mode == NCK_PATH_CONTINUOUS && block->tolerance_mm >= NCK_TOLERANCE_MIN;
+}
+
+// The same within one that knots are near enough for.
+static int is_smooth(const nck_smooth_t *self, const nck_block_t *block) {
+    return is_within(self, block) && block->tolerance_mm - ROUNDING >= self->terms->knot_p;
+}
+
+// Within a smaller one the axes keep their jerk, too: the path is exact and rests at corners.
+static uint8_t keep_of(const nck_smooth_t *self, const nck_block_t *block) {
+    const int rests = block->path_mode == NCK_PATH_TURNS || is_within(self, block);
+    return rests ? NCK_KEEP_TURNS : NCK_KEEP_NOTHING;
 }
 
 static void set_spin(nck_seg_t *seg, const nck_block_t *block) {
@@ -85,7 +96,7 @@ static nck_status_t make_motion(const nck_smooth_t *self, const nck_block_t *blo
     seg->length = metric.length;
     if (!(seg->length > 0.0)) return NCK_EMPTY;
     seg->stop = block->path_mode == NCK_PATH_STOP;
-    seg->keeps = block->path_mode == NCK_PATH_TURNS ? NCK_KEEP_TURNS : NCK_KEEP_NOTHING;
+    seg->keeps = keep_of(self, block);
     seg->rapid = block->kind == NCK_BLOCK_RAPID;
     seg->feed_scale = metric.feed_length / metric.length;
     if (seg->rapid) return NCK_OK;

@@ -11,6 +11,8 @@
 // P [mm] and the highest J; between these [s].
 #define KNOT_SHARE 0.4
 #define KNOT_TOLERANCE 0.01
+// … and where they are more of it for a smaller P, no curve is sought: corners are rested at.
+#define KNOT_SHARE_MOST 1.2
 #define KNOT_LEAST 0.00025
 #define KNOT_MOST 0.05
 // … but a window lasts so many times as long as it takes to stop, since a plan sees two windows at
@@ -72,7 +74,7 @@ static double stop_of(const nck_machine_t *machine, uint8_t axes) {
     return nck_max(stop, v / a + nck_min(a, nck_sqrt(v * j)) / j);
 }
 
-// How long an interval of a clocked path lasts by its clock.
+// How long an interval of a clocked path lasts by its clock, and for what P that is short enough.
 static void set_knot(const nck_machine_t *machine, uint8_t axes, nck_terms_t *terms_out) {
     const double stop = stop_of(machine, axes);
     double a = 0.0;
@@ -87,8 +89,10 @@ static void set_knot(const nck_machine_t *machine, uint8_t axes, nck_terms_t *te
     const double wanted = nck_max(KNOT_LEAST, nck_min(corner, KNOT_MOST));
     const double spread = KNOT_STOPS * stop / NCK_CLOCKED_WINDOW;
     const double knot = nck_max(wanted, nck_min(spread, KNOT_RAISE * wanted));
+    const double share = knot / KNOT_SHARE_MOST;
     terms_out->knot_s = knot;
     terms_out->knots_most = nck_max(1.0, stop / (KNOT_PARTS * knot));
+    terms_out->knot_p = nck_min(j * share, a) * share * share;
 }
 
 // 1 if the path's own limits hold where no axis' limit does.
@@ -106,7 +110,7 @@ void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     const double filter = (double)NCK_FILTER_TAPS * period;
     const uint8_t axes = axes_of(machine);
     const nck_terms_t linear = {machine, 0, 0, 1, axes, machine->path.j_max, 0.0, 0.0, period,
-                                0.0, 0.0};
+                                0.0, 0.0, 0.0};
     *terms_out = linear;
     if (!NCK_HAS_JERK || machine->slope == NCK_SLOPE_LINEAR) return;
     terms_out->limits_jerk = 1;
