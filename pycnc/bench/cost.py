@@ -128,7 +128,7 @@ GOALS = {
     "room 4 of it": (4710, 1000),
     "decode, a G1 line": (1945, 700),
     "relief, jerk, G61, a line": (36_742, 7000),
-    "relief, optimal, P0.01, a line": (None, None),
+    "relief, optimal, P0.01, a line": (45_121, 12_000),
     "an arc of 35 ms, jerk": (419_974, 40_000),
     "nodes planned for a final cell": (2.95, 1.3),
     "profile, a node and plan": (1097, 450),

@@ -187,6 +187,21 @@ def _home_of_grbl(source, k):
     return is_above, f"{one}; {other}"
 
 
+def _travel_of_grbl(source, letter, k):
+    """Fill in the travel of an axis, the k-th."""
+    travel, comment = source.number(("$", f"{130 + k}"))
+    if travel and travel < 0:
+        words = "a travel has no sign: it is below grbl's home"
+        source.draft.problems.append((comment, words))
+    elif travel:
+        is_above, home = _home_of_grbl(source, k)
+        ends = ("min", "max") if is_above else ("max", "min")
+        source.draft.axis(letter, ends[0], Decimal(0), home)
+        source.draft.axis(letter, ends[1], travel if is_above else -travel, comment)
+    else:
+        _without_travel(source, letter)
+
+
 def grbl(source):
     """Fill in what $$ and $I print; return the letters of its axes."""
     has = source.settings
@@ -195,17 +210,7 @@ def grbl(source):
         k = "xyzabc".index(letter)
         source.axis(letter, "v_max", [("$", f"{110 + k}")], 1 / Decimal(60))
         source.axis(letter, "a_max", [("$", f"{120 + k}")])
-        travel, comment = source.number(("$", f"{130 + k}"))
-        if travel and travel < 0:
-            words = "a travel has no sign: it is below grbl's home"
-            source.draft.problems.append((comment, words))
-        elif travel:
-            is_above, home = _home_of_grbl(source, k)
-            ends = ("min", "max") if is_above else ("max", "min")
-            source.draft.axis(letter, ends[0], Decimal(0), home)
-            source.draft.axis(letter, ends[1], travel if is_above else -travel, comment)
-        else:
-            _without_travel(source, letter)
+        _travel_of_grbl(source, letter, k)
         source.own(f"steps_per_mm.{letter}", [("$", f"{100 + k}")])
     source.path("path.chord_error_mm", [("$", "12")])
     source.path("spindle.rpm_max", [("$", "30")])
