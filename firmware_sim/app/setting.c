@@ -77,6 +77,8 @@ static const setting_t settings[] = {
     ONE(roams, BYTE),
     ONE(firmware, BYTE),
     ONE(spindle_waits, HALF),
+    NCK_IF_VARIABLES(ONE(clock.date, WORD), ONE(clock.time, WORD), ONE(clock.on_ms, WORD),
+                     ONE(clock.cut_s, WORD), )
     TABLE(work_nm, INTEGER),
     ONE(work_system, WORD),
     ONE(tool_count, WORD),

@@ -64,7 +64,7 @@ def test_lines_of_a_thread_that_come_late_are_caught_up_with_within_limits(stand
 @pytest.mark.sample(8)
 @pytest.mark.parametrize("seed", range(500))
 def test_a_feed_a_revolution_is_what_is_programmed(stand_in, seed):
-    assert linuxcnc_calls.feeds_failures(stand_in, seed) == []
+    assert linuxcnc_calls.feeds_failures(stand_in.exact(), seed) == []
 
 
 # A rest that is asked for

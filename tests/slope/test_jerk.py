@@ -247,10 +247,10 @@ SCRIPT = st.lists(
 @examples(120)
 @given(
     st.sampled_from(("square", "star", "random_arcs_0", "random_smooth_1", "reversals")),
-    st.sampled_from((None, TOLERANCE)), st.sampled_from((2, 7, kernel.PREP_STEPS)), SCRIPT,
+    st.sampled_from((2, 7, kernel.PREP_STEPS)), SCRIPT,
 )  # fmt: skip
-def test_whatever_the_operator_does_limits_and_path_are_kept(name, mode, prep_steps, script):
-    judged.run(jerk_limited(CASES[name], mode), prep_steps, script, answer=np.inf)
+def test_whatever_the_operator_does_limits_and_path_are_kept(name, prep_steps, script):
+    judged.run(jerk_limited(CASES[name]), prep_steps, script, answer=np.inf)
 
 
 @pytest.mark.sample(quick=1)

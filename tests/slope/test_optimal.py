@@ -192,7 +192,7 @@ def test_a_lowered_override_is_heard_in_time(first):
     shares = [share for share in shares if share]
     half, most, longest = np.percentile(shares, [50, 90, 100])
     assert half < 1
-    assert most < stop_gate.MOST
+    assert most < 1.75  # 1.5 where P is large enough for a curve
     assert longest < 3
 
 

@@ -36,7 +36,7 @@ TICK_PATH = {
     "nck.c": {"nck_tick", "is_held", "hand_over_outputs", "nck_resume", "nck_hold", "nck_abort",
               "nck_is_idle", "nck_is_moving", "nck_take"},
 }  # fmt: skip
-GOAL = 0.95
+GOAL = 0.94
 # The tests, and what is not of the tick's path, are those of the release build: clang compiles what
 # is counted, which comes first among what is linked.
 COUNTED = sorted({name for name in TICK_PATH if name.endswith(".c")} | {"base/path.c"})
