@@ -166,7 +166,7 @@ def emulate(core, image, *arguments, counts=None, folder=None, shift=3):
     return _run(command, timeout=LIMIT_S, cwd=folder)
 
 
-def run_setpoints(core, set_name, case, machine, folder, count=False):
+def run_setpoints(core, set_name, case, machine, folder, count=False, hold=0):
     """Run a program on a target; return a Result.
 
     Parameters
@@ -180,10 +180,12 @@ def run_setpoints(core, set_name, case, machine, folder, count=False):
         Empty, for the files of this run; `rows` will be the setpoints.
     count : bool
         Count instructions (not on the host).
+    hold : int
+        Ask for a hold at this tick; 0: none.
     """
     (folder / "machine").write_bytes(machine_image(machine, set_name))
     (folder / "program").write_text(case.text)
-    words = ("machine", "program", "summary", "rows")
+    words = ("machine", "program", "summary", "rows", str(hold))
     if core == "host":
         _run([build(core) / f"setpoints_{set_name}", *words], cwd=folder, timeout=LIMIT_S)
     else:

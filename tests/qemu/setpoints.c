@@ -2,10 +2,10 @@
 // A controller in one loop, the same source on the host and on the emulated boards: NC program in,
 // hash of all setpoints out.
 //
-//     setpoints MACHINE PROGRAM SUMMARY [ROWS]
+//     setpoints MACHINE PROGRAM SUMMARY [ROWS [HOLD]]
 //
 // MACHINE is an nck_machine_t as it stands in memory, SUMMARY becomes the numbers of `summary_t`,
-// ROWS every tick's setpoints. Exit status: 0; 1 if an argument or a file is wrong; 2 if the
+// ROWS every tick's setpoints; a hold is asked for at the tick HOLD, and it rests for a while. Exit status: 0; 1 if an argument or a file is wrong; 2 if the
 // program has not ended after a million ticks.
 #include <string.h> // memcpy
 
@@ -17,6 +17,7 @@ enum {
     NAME_MAX = 200,
     TEXT_MAX = 128,  // bytes of program in memory
     TICK_MAX = 1000000,
+    RESTS = 300,     // ticks of a hold, the brake's among them
     PREP_STEPS = 256 // between two ticks, as pycnc.run has it
 };
 
@@ -36,6 +37,8 @@ typedef struct controller {
     char text[TEXT_MAX];
     size_t text_size, text_used;
     nck_status_t prep_status;
+    uint64_t hold; // the tick that a hold is asked for at; 0: none
+    int rests;     // ticks that it has rested for
     summary_t summary;
 } controller_t;
 
@@ -78,6 +81,13 @@ static void hash_setpoints(summary_t *summary, const nck_axes_t *axes) {
     }
 }
 
+// The hold begins, or it has rested for long enough.
+static void hold(controller_t *self, nck_tick_state_t state) {
+    if (self->summary.ticks == self->hold) nck_hold(&nck);
+    self->rests += state == NCK_TICK_HOLD;
+    if (self->rests == RESTS) nck_resume(&nck);
+}
+
 static void tick(controller_t *self) {
     nck_pose_t pose;
     nck_axes_t axes;
@@ -85,6 +95,7 @@ static void tick(controller_t *self) {
     const nck_tick_state_t state = nck_tick(&nck, &pose, &axes);
     mark_tick_end();
     if (state == NCK_TICK_WAIT) nck_resume(&nck);
+    if (self->hold > 0) hold(self, state);
     self->summary.starved += state == NCK_TICK_STARVED;
     self->summary.ticks++;
     hash_setpoints(&self->summary, &axes);
@@ -107,6 +118,16 @@ static int open_argument(int k, board_mode_t mode) {
     return board_argument(k, name, sizeof name) < 0 ? -1 : board_open(name, mode);
 }
 
+static uint64_t read_number(int k) {
+    char digits[NAME_MAX];
+    uint64_t number = 0;
+    if (board_argument(k, digits, sizeof digits) < 0) return 0;
+    for (const char *at = digits; *at >= '0' && *at <= '9'; at++) {
+        number = 10 * number + (uint64_t)(*at - '0');
+    }
+    return number;
+}
+
 // The image must have this build's size: then capacities and layout are the same.
 static int read_machine(void) {
     char beyond;
@@ -119,6 +140,7 @@ int main(void) {
     controller.program = open_argument(2, BOARD_READ);
     const int file = open_argument(3, BOARD_WRITE);
     controller.rows = open_argument(4, BOARD_WRITE);
+    controller.hold = read_number(5);
     if (controller.program < 0 || file < 0 || !read_machine()) return 1;
     if (nck_init(&nck, &machine, NULL) != NCK_OK) return 1;
     controller.summary.hash = 0xcbf29ce484222325u;

@@ -37,7 +37,8 @@ OPTIONS = {
 }
 DIALECT = "-std=c99 -ffp-contract=off -fno-math-errno -ffunction-sections -DNDEBUG".split()
 RUNTIME = "C runtime"
-SMOOTHED = "_smoothed"
+SMOOTHED, HELD = "_smoothed", "_held"
+HOLD_TICK = 150
 WIRES = "nck.c (wires)"
 SETS = {
     "linear": "linear", "jerk": "jerk", "mill": "mill", "small": "small", "optimal": "optimal",
@@ -49,12 +50,14 @@ LINKED = "flash that a firmware links, -Os [bytes]"
 DEEPEST = "deepest stack of a call [bytes]"
 PARTS = {"flash": (FLASH, LINKED), "stack": (DEEPEST,)}  # that compile libnck for themselves
 # Micro-segments, the same smoothed, arcs in three planes, one dense straight line, five axes, sharp
-# corners. The optimal slope has capacities of its own.
+# corners; held on the way, where the tick brakes. The optimal slope has capacities of its own.
 BUDGETS = (
     ("star", "linear"), ("star", "jerk"), ("star_smoothed", "linear"), ("star_smoothed", "jerk"),
     ("planes", "linear"), ("planes", "jerk"),
     ("micrometres", "linear"), ("micrometres", "jerk"), ("rotary", "linear"),
     ("zigzag_smoothed", "jerk"), ("zigzag_smoothed", "optimal"),
+    ("zigzag_smoothed_held", "jerk"), ("zigzag_smoothed_held", "optimal"),
+    ("star_smoothed_held", "optimal"),
 )  # fmt: skip
 
 
@@ -148,13 +151,16 @@ def measure_stack(core, image):
 def measure_instructions(core, name, slope):
     """Return (most and mean of a tick, most of a step of prep, mean of prep in a period) in
     instructions."""
+    hold = HOLD_TICK if name.endswith(HELD) else 0
+    name = name.removesuffix(HELD)
     case = next(case for case in CASES if case.name == name.removesuffix(SMOOTHED))
     if name.endswith(SMOOTHED):
         case = replace(case, text=case.text.replace("G61", "G64 P0.01"))
     machine = Machine.load(case.machine, set=(*case.set, f"path.slope={slope}"))
     with tempfile.TemporaryDirectory() as folder:
         set_name = slope if slope == "optimal" else "default"
-        result = targets.run_setpoints(core, set_name, case, machine, Path(folder), count=True)
+        result = targets.run_setpoints(core, set_name, case, machine, Path(folder), count=True,
+                                       hold=hold)
     runs, total, most = result.instructions["tick"]
     _, planned, step = result.instructions["prep"]
     return most, round(total / runs), step, round(planned / runs)

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Inside room 6: the plan that is known of a clocked path, stretch by stretch, by its own time.
+#ifndef NCK_TICK_STRETCH_H
+#define NCK_TICK_STRETCH_H
+
+#include "nck/base/link.h"    // nck_link_t
+#include "nck/base/real.h"    // nck_num
+#include "nck/base/records.h" // nck_cell_t
+#include "nck/base/terms.h"   // nck_terms_t
+
+// Along the plan that is known.
+typedef struct nck_stretch_walk {
+    const nck_terms_t *terms;
+    nck_link_t *link;
+    uint32_t word;          // of the link
+    const nck_cell_t *cell;
+    uint32_t next;          // the cell behind it, as nck_link_ahead counts
+    uint32_t ends;          // 1: at the plan's rest
+    nck_num t;              // in the cell [s]
+    nck_num period;         // [s]
+} nck_stretch_walk_t;
+
+// The derivatives of the plan by its time, at a place.
+typedef struct nck_stretch_point {
+    nck_num first[NCK_AXIS_MAX];
+    nck_num second[NCK_AXIS_MAX];
+} nck_stretch_point_t;
+
+// What an axis does at the ends of a stretch, or the path: what of all axes has its direction.
+typedef struct nck_stretch_ways {
+    nck_num first[2], second[2], third[2];
+    nck_num rise; // of the first derivative, from one end to the other
+    nck_num a_max, j_max;
+} nck_stretch_ways_t;
+
+// A stretch of the plan.
+typedef struct nck_stretch {
+    nck_num far; // of the plan's time [s]
+    nck_stretch_point_t from, to;
+    int count;   // of what moves on it
+    nck_stretch_ways_t of[NCK_AXIS_MAX + 1];
+} nck_stretch_t;
+
+// The derivatives where the walk is. Cost: linear in the axes. Context: tick.
+void nck_stretch_look(const nck_stretch_walk_t *walk, nck_stretch_point_t *out);
+
+// The next stretch, from the end of the last one on: so long by the plan's time [s], or to its
+// rest. Cost: a look, and the cells on the way. Context: tick.
+void nck_stretch_take(nck_stretch_walk_t *walk, nck_num far, nck_stretch_t *stretch);
+
+#endif
