@@ -184,7 +184,6 @@ def controller(
     from pycnc import controller, kernel
 
     mill = machine_of(machine, set, tools, dialect, slope=slope, quiet=quiet)
-    mill = controller.machine_for(mill)
     name, text = read(file)
     done = controller.open(on).run(
         text, mill, controller.read_commands(at or ()), file=name, prep_steps=prep_steps or 0

@@ -177,7 +177,7 @@ class Controller:
         >>> outcome.state, outcome.joints_nm[0]
         ('done', 5000000)
         """
-        mill = machine_for(machine)
+        mill = Machine.load(machine)
         job = [*_settings(mill), *_conditions(conditions, trace), *_commands(commands)]
         text = program.encode() if isinstance(program, str) else program
         with tempfile.TemporaryDirectory(prefix="pycnc-") as folder:
@@ -307,32 +307,6 @@ def _items(prefix, value):
                 yield name, k, *index, number
     else:
         yield prefix, value
-
-
-def machine_for(machine):
-    """Return the machine as the firmware plans it, which has no slope optimal (NCK_CLOCKED is 0).
-
-    Parameters
-    ----------
-    machine : str, path or Machine
-
-    Returns
-    -------
-    Machine
-        The same, or one with the slope jerk where a machine file has optimal or leaves it open.
-
-    Raises
-    ------
-    FirmwareError
-        If a change asked for the slope optimal.
-    """
-    mill = Machine.load(machine)
-    if mill.settings.path.slope != "optimal":
-        return mill
-    if any(key == "path.slope" for key, _, _ in mill.changes):
-        raise FirmwareError("this firmware is built without the slope optimal (NCK_CLOCKED is 0): "
-                            "set path.slope=jerk", id="controller-slope")  # fmt: skip
-    return Machine.load(mill, set={"path.slope": "jerk"})
 
 
 def _settings(machine):

@@ -17,8 +17,11 @@ from command_line import pycnc
 from firmware_runs import ERROR, EVERYWHERE, POINTS, PROGRAM, mill
 
 from pycnc import controller, errors
+from pycnc.bench import families
 from pycnc.machine import Machine
 from pycnc.kernel.records import enum
+from pycnc.planning.plan import Plan
+from pycnc.program import Program
 
 ROOT = Path(__file__).resolve().parents[2]
 IDLE, WAIT = (enum("nck_tick_state_t")[name] for name in ("IDLE", "WAIT"))
@@ -189,13 +192,17 @@ def test_a_controller_that_does_not_end_is_given_up(controllers):
             controllers(name).run(PROGRAM, commands=silent, timeout_s=1)
 
 
-def test_a_slope_that_the_firmware_lacks_is_refused_or_the_next_one_taken(controllers):
-    plain = controllers("host").run(PROGRAM, "mill3")
-    jerk = controllers("host").run(PROGRAM, Machine.load("mill3", set={"path.slope": "jerk"}))
-    assert plain.hash == jerk.hash
-    assert controller.machine_for("cao2014").settings.path.slope == "linear"
-    with pytest.raises(controller.FirmwareError, match="set path.slope=jerk"):
-        controllers("host").run(PROGRAM, Machine.load("mill3", set={"path.slope": "optimal"}))
+@pytest.mark.sample(3)
+@pytest.mark.parametrize("name", sorted(families.FAMILIES))
+def test_the_firmware_smooths_as_the_module_does(controllers, name):
+    """Its window is shorter: what that costs of the time is 5 % at most."""
+    points = families.FAMILIES[name](np.random.default_rng([5, 1]))
+    lines = [f"G1 X{x:.4f} Y{y:.4f} Z{z:.4f}" for x, y, z in points[:200] - points[0]]
+    text = "\n".join(["G21 G90 G64 P0.02 F6000", *lines, "M2\n"])
+    host, m7 = (controllers(each).run(text, "mill3") for each in ("host", "m7"))
+    all_agree([host, m7])
+    planned = Plan(Program(text.encode(), Machine.load("mill3")), keep=False).time_s
+    assert 0.98 * planned < host.ticks * 0.001 < 1.05 * planned + 0.02
 
 
 # The command line, and the page
