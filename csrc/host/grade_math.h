@@ -14,11 +14,6 @@ static inline nck_real nck_grade_length(nck_real n, nck_real v_c, nck_real perio
     return n * v_c * period;
 }
 
-// The next grade:   v_{k+1} = √(v_k² + 2aL)     (Cao et al. 2014, eq. 7)
-static inline nck_real nck_grade_next(nck_real v, nck_real step) {
-    return nck_sqrt(v * v + step);
-}
-
 // How many grades there are:   N = ⌈(v_c² − v_min²)/(2aL)⌉ + 1     (Cao et al. 2014, eq. 11)
 // v_c ≤ v_min: 1.
 static inline nck_real nck_grade_count(nck_real v_c, nck_real v_min, nck_real step) {

@@ -178,7 +178,7 @@ static void every_grade_of_the_table_is_its_own(check_t *check)
             CHECK_NEAR(check, sqrt(vv), next, 1e-9 * v_c);
             CHECK_INT(check, nck_grade_of(&rule, vv), k);
             if (k > 0) CHECK_INT(check, nck_grade_of(&rule, nextafter(vv, 0.0)), k - 1);
-            next = nck_grade_next(next, nck_envelope_h(rule.a, rule.length));
+            next = sqrt(next * next + nck_envelope_h(rule.a, rule.length));
         }
         CHECK_INT(check, nck_grade_of(&rule, v_c * v_c), rule.count - 1);
         CHECK_INT(check, nck_grade_of(&rule, 0.0), 0);

@@ -7,7 +7,6 @@
 #include "check.h"
 #include "nck/base/path.h"                  // nck_path_tangent
 #include "nck/base/path_math.h"             // nck_path_turns
-#include "nck/prep/4_lookahead/limit_math.h" // nck_limit_sag
 #include "nck/prep/4_lookahead/lookahead.h"  // nck_lookahead_t
 #include "terms_check.h" // terms_of
 
@@ -379,15 +378,6 @@ static void a_feed_that_is_just_allowed_is_the_limit(check_t *check)
     CHECK_INT(check, node.limit_piece, NCK_LIMIT_FEED);
 }
 
-// A chord of one period, on circles that it is short on: R − √(R² − c²/4).
-static void a_chord_of_a_curve_sags_by_the_chord_error(check_t *check)
-{
-    for (double r = 1.0; r < 2000.0; r *= 3.0) {
-        const double chord = nck_limit_sag(1.0 / r, 1e-4, 0.001) * 0.001;
-        CHECK_NEAR(check, r - sqrt(r * r - 0.25 * chord * chord), 1e-4, 1e-8);
-    }
-}
-
 int main(void)
 {
     check_t check = {0};
@@ -395,7 +385,6 @@ int main(void)
     CHECK_RUN(&check, arcs_get_what_chords_bends_and_axes_allow);
     CHECK_RUN(&check, arcs_pay_for_what_the_filter_adds);
     CHECK_RUN(&check, axes_count_by_what_they_see_of_an_arc);
-    CHECK_RUN(&check, a_chord_of_a_curve_sags_by_the_chord_error);
     CHECK_RUN(&check, a_feed_that_is_just_allowed_is_the_limit);
     return check_end(&check);
 }

@@ -3,14 +3,10 @@
 #ifndef NCK_BASE_SCURVE_MATH_H
 #define NCK_BASE_SCURVE_MATH_H
 
-#include "nck/base/real.h"      // nck_real nck_sqrt nck_max
+#include "nck/base/real.h"      // nck_real nck_sqrt nck_min
 #include "nck/base/root_math.h" // nck_root_cube
 
-// Steps of the searches here.
-enum {
-    NCK_SCURVE_NEWTON = 8,    // steps at most; 3 to 5 are the rule
-    NCK_SCURVE_HALVINGS = 12  // of a highest speed that is sought: times are good to 1e-4
-};
+enum { NCK_SCURVE_NEWTON = 8 }; // steps of a search at most; 3 to 5 are the rule
 
 // What ramps keep to.
 typedef struct nck_scurve {
@@ -62,22 +58,6 @@ static inline nck_real nck_scurve_over(NCK_IN nck_scurve_t *ramp, nck_real v, nc
     const nck_real left = length - nck_scurve_length(ramp, v, v_end);
     const nck_real time = nck_scurve_time(ramp, v_end - v);
     return left > 0.0 ? time + left / v_end : time;
-}
-
-// Least time over a length that is entered at v and ends at rest, where v can be braked from.
-static inline nck_real nck_scurve_to_rest(NCK_IN nck_scurve_t *ramp, nck_real v,
-                                          nck_real length) {
-    nck_real low = v;
-    nck_real high = nck_scurve_reach(ramp, v, length);
-    for (int n = 0; n < NCK_SCURVE_HALVINGS; n++) {
-        const nck_real top = 0.5 * (low + high);
-        const nck_real both = nck_scurve_length(ramp, v, top) + nck_scurve_length(ramp, 0.0, top);
-        if (both <= length) low = top;
-        else high = top;
-    }
-    const nck_real left =
-        length - nck_scurve_length(ramp, v, low) - nck_scurve_length(ramp, 0.0, low);
-    return nck_scurve_time(ramp, low - v) + nck_scurve_time(ramp, low) + nck_max(0.0, left) / low;
 }
 
 #endif

@@ -17,7 +17,6 @@ typedef struct nck_terms {
     double j_max;        // the most jerk along a path that a plan asks for [path mm/s³]
     double mix_s;        // how far in time accelerations are mixed: half the filter's length [s]
     double v_filter;     // by how much the speed at a node may pass the planned one [path mm/s]
-    double rest_s;       // what a rest costs besides its ramps [s]
     double knot_s;       // how long an interval of a clocked path lasts by its clock [s]; 0: there
                          // are none
     double knot_p;       // the least tolerance that such intervals are short enough for [mm]

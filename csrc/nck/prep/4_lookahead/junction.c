@@ -105,7 +105,7 @@ static inline void begin(nck_junction_t *junction, const nck_seg_t *seg) {
     junction->kind = seg->kind;
     junction->limit = NCK_LIMIT_FEED;
     junction->limit_free = NCK_LIMIT_FEED;
-    junction->end = seg->stop ? NCK_JUNCTION_STOP | NCK_JUNCTION_LAST : NCK_JUNCTION_LAST;
+    junction->end = seg->stop ? NCK_JUNCTION_STOP : 0;
     if (seg->keeps == NCK_KEEP_TURNS) junction->end |= NCK_JUNCTION_TURNS;
     junction->length = seg->length;
     junction->feed = seg->feed;

@@ -41,11 +41,6 @@ static inline nck_real nck_limit_chord(nck_real r, nck_real delta, nck_real peri
     return 2.0 / period * nck_sqrt(2.0 * r * d - d * d);
 }
 
-// Chord error δ on a curve of curvature κ > 0, for short chords:   κ·(vT)²/8 ≤ δ
-static inline nck_real nck_limit_sag(nck_real kappa, nck_real delta, nck_real period) {
-    return nck_sqrt(8.0 * delta / kappa) / period;
-}
-
 // Centripetal acceleration on curvature κ > 0 with the axes' a and the corner's share β:
 //   v² ≤ 0.8·(1 − β)·a/κ
 static inline nck_real nck_limit_curve(nck_real a, nck_real kappa, nck_real beta) {

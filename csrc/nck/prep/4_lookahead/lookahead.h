@@ -37,9 +37,8 @@ typedef struct nck_pace {
 // What is at a junction's end, bit by bit.
 typedef enum nck_junction_end {
     NCK_JUNCTION_STOP = 1,  // the path rests there
-    NCK_JUNCTION_LAST = 2,  // its seg ends there
-    NCK_JUNCTION_TURNS = 4, // its seg keeps NCK_KEEP_TURNS
-    NCK_JUNCTION_RESTS = 8  // of NCK_JUNCTION_CLOCKED: the path rests there
+    NCK_JUNCTION_TURNS = 2, // its seg keeps NCK_KEEP_TURNS
+    NCK_JUNCTION_RESTS = 4  // of NCK_JUNCTION_CLOCKED: the path rests there
 } nck_junction_end_t;
 
 // The kind of a junction that is an interval of a clocked path: where its limits are kept is room

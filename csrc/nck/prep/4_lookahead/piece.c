@@ -397,7 +397,7 @@ nck_status_t nck_piece_place(nck_lookahead_t *self, const double share_after[NCK
     nck_node_t *const end = is_clocked                     ? add_clocked(self, junction)
                             : junction->kind >= NCK_SEG_DWELL ? add_rest(self, junction)
                                                            : place_motion(self, count, ends);
-    end->last = (junction->end & NCK_JUNCTION_LAST) != 0;
+    end->last = 1;
     end->stop = (junction->end & (is_clocked ? NCK_JUNCTION_RESTS : NCK_JUNCTION_STOP)) != 0;
     if (junction->end & NCK_JUNCTION_STOP) {
         self->before.vv = 0.0;

@@ -109,8 +109,8 @@ void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     const double period = machine->period_s;
     const double filter = (double)NCK_FILTER_TAPS * period;
     const uint8_t axes = axes_of(machine);
-    const nck_terms_t linear = {machine, 0, 0, 1, axes, machine->path.j_max, 0.0, 0.0, period,
-                                0.0, 0.0, 0.0};
+    const nck_terms_t linear = {machine, 0, 0, 1, axes, machine->path.j_max, 0.0, 0.0, 0.0, 0.0,
+                                0.0};
     *terms_out = linear;
     if (!NCK_HAS_JERK || machine->slope == NCK_SLOPE_LINEAR) return;
     terms_out->limits_jerk = 1;
@@ -120,7 +120,6 @@ void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     const double cell = nck_max(period, nck_jerk_cell_s(machine));
     terms_out->v_filter =
         nck_ladder_raise(terms_out->j_max, filter, NCK_LADDER_STRETCH * cell);
-    terms_out->rest_s = period + filter;
     if (machine->slope == NCK_SLOPE_OPTIMAL) {
         terms_out->limits_path = (uint8_t)path_binds(machine, axes);
         set_knot(machine, axes, terms_out);

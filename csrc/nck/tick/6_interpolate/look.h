@@ -45,14 +45,7 @@ static inline int nck_look_goes_by(const nck_seg_t *seg) {
     return NCK_GOES_BY_LENGTH + nck_look_is_clocked(seg);
 }
 
-// a·b over all axes. Cost: linear in them. Context: tick, as all below.
-static inline double nck_look_dot(const double *a, const double *b) {
-    double sum = 0.0;
-    for (int x = 0; x < NCK_AXIS_MAX; x++) sum += a[x] * b[x];
-    return sum;
-}
-
-// The path at s of a seg. Cost: three derivatives.
+// The path at s of a seg. Cost: three derivatives. Context: tick, as all below.
 void nck_look_geometry(const nck_seg_t *seg, double s, nck_look_geometry_t *out);
 
 // By how much p′ jumps at the place's end, at a corner or by what the seam of splines leaves, with

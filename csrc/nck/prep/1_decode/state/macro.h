@@ -115,7 +115,6 @@ typedef NCK_MACRO_STATE nck_macro {
         uint32_t wrapped;   // 1: the end of the text was met
         uint32_t decides;   // 1: an elseif was found: its condition counts
         uint32_t from;      // the line that jumps
-        uint32_t column;
     } seek;
 } nck_macro_t;
 
