@@ -42,15 +42,6 @@ nck_status_t nck_init(nck_t *nck, const nck_machine_t *machine, const nck_hooks_
     return NCK_OK;
 }
 
-// Smoothing has given all. After a flush blocks may follow: the path rests here and goes on.
-static void end_path(nck_t *nck) {
-    const int flushes = nck->wire.flush == NCK_FLUSH_SMOOTH;
-    if (flushes) nck_smooth_go_on(&nck->smooth);
-    nck->wire.flush = flushes ? NCK_FLUSH_AHEAD : NCK_FLUSH_NOT;
-    nck->wire.ended = !flushes;
-    nck_lookahead_end(&nck->lookahead);
-}
-
 // What was pushed before a flush is planned to its end before more is taken, so that the path
 // depends on where the flush stands and not on time. NCK_FULL: not yet.
 static nck_status_t finish_flush(nck_t *nck) {
@@ -68,20 +59,26 @@ static inline nck_status_t push_seg(nck_t *nck, const nck_seg_t *seg) {
     return NCK_OK;
 }
 
-// smooth ─▶ seg ring and lookahead, or output ring. All have room (see carry_item).
-static nck_status_t push_item(nck_t *nck, const nck_smooth_item_t *item) {
-    if (item->is_output) return nck_link_push_output(&nck->link, &item->output);
-    nck_seg_t *const seg = nck_link_seg_place(&nck->link);
-    *seg = item->seg;
-    return push_seg(nck, seg);
-}
-
 // The next item out of smooth, or a step towards it; there is room.
 static nck_status_t pull_item(nck_t *nck) {
     nck_smooth_item_t item;
     const nck_status_t status = nck_smooth_pull(&nck->smooth, &item);
-    if (status == NCK_OK) return push_item(nck, &item);
-    if (status == NCK_DONE) end_path(nck);
+    if (status == NCK_OK) {
+        // smooth ─▶ seg ring and lookahead, or output ring. All have room (see carry_item).
+        if (item.is_output) return nck_link_push_output(&nck->link, &item.output);
+        nck_seg_t *const seg = nck_link_seg_place(&nck->link);
+        *seg = item.seg;
+        return push_seg(nck, seg);
+    }
+    if (status == NCK_DONE) {
+        // Smoothing has given all. After a flush blocks may follow: the path rests here and goes
+        // on.
+        const int flushes = nck->wire.flush == NCK_FLUSH_SMOOTH;
+        if (flushes) nck_smooth_go_on(&nck->smooth);
+        nck->wire.flush = flushes ? NCK_FLUSH_AHEAD : NCK_FLUSH_NOT;
+        nck->wire.ended = !flushes;
+        nck_lookahead_end(&nck->lookahead);
+    }
     return status == NCK_FULL ? NCK_OK : status;
 }
 
@@ -310,13 +307,6 @@ static int is_begun(nck_t *nck) {
     return owner != NCK_LINK_ASKED;
 }
 
-// Nothing more is planned; the end is the rest.
-static nck_status_t finish_abort(const nck_t *nck) {
-    const int waits = nck_interpolate_is_waiting(&nck->interpolate);
-    const int stands = nck_interpolate_stands(&nck->interpolate);
-    return nck_slope_is_held(&nck->slope) || waits || stands ? NCK_DONE : NCK_FULL;
-}
-
 static inline nck_status_t step_ahead(nck_lookahead_t *lookahead) {
     if (nck_lookahead_is_full(lookahead)) return NCK_FULL;
     return nck_lookahead_is_idle(lookahead) ? NCK_EMPTY : nck_lookahead_step(lookahead);
@@ -363,7 +353,12 @@ static nck_status_t step_rooms(nck_t *nck) {
     const nck_status_t status = step_slope(nck);
     if (status == NCK_OK) return NCK_OK;
     if (status == NCK_E_INTERNAL) return give_up(nck, nck_link_broken_line(&nck->link));
-    if (nck_fence_load(&nck->command.abort)) return finish_abort(nck);
+    if (nck_fence_load(&nck->command.abort)) {
+        // Nothing more is planned; the end is the rest.
+        const int waits = nck_interpolate_is_waiting(&nck->interpolate);
+        const int stands = nck_interpolate_stands(&nck->interpolate);
+        return nck_slope_is_held(&nck->slope) || waits || stands ? NCK_DONE : NCK_FULL;
+    }
     const nck_status_t ahead = step_ahead(&nck->lookahead);
     return ahead == NCK_OK ? NCK_OK : take_input(nck, status, ahead);
 }

@@ -112,15 +112,6 @@ static int is_jumped(const nck_decode_t *self) {
     return seeks && self->line.state == NCK_LINE_WAITING;
 }
 
-// A line on the way of a jump is not read. NCK_OK: the jump ends at it, and it is to be done.
-static nck_status_t jump_over(nck_decode_t *self) {
-    const nck_seek_kind_t kind = (nck_seek_kind_t)self->macro.seek.kind;
-    self->line.tag = self->line.number;
-    const nck_status_t status = nck_seek_pass(self);
-    nck_entry_leave_out(self, kind);
-    return status;
-}
-
 static void release_line(nck_decode_t *self) {
     self->line.state = NCK_LINE_OPEN;
     self->line.size = 0;
@@ -235,12 +226,6 @@ static nck_status_t close_program(nck_decode_t *self, nck_block_t *out) {
     return status;
 }
 
-static nck_status_t fail_endless(nck_decode_t *self) {
-    const double most = NCK_DECODE_IDLE_MOST;
-    self->text.over = 1;
-    return fail_line(self, nck_decode_fail(self, NCK_E_ENDLESS, 0, 0, most, most));
-}
-
 // The line that waits, or the block in its place, is taken into work.
 static nck_status_t begin_line(nck_decode_t *self) {
     const uint8_t state = self->line.state;
@@ -278,7 +263,11 @@ static nck_status_t end_steps(nck_decode_t *self, nck_status_t status, nck_block
         self->macro.idle = 0;
         return NCK_OK;
     }
-    if (self->macro.idle > NCK_DECODE_IDLE_MOST) return fail_endless(self);
+    if (self->macro.idle > NCK_DECODE_IDLE_MOST) {
+        const double most = NCK_DECODE_IDLE_MOST;
+        self->text.over = 1;
+        return fail_line(self, nck_decode_fail(self, NCK_E_ENDLESS, 0, 0, most, most));
+    }
     return self->text.complete && !self->text.over ? next_line(self, out) : status;
 }
 
@@ -304,11 +293,6 @@ static nck_status_t pull_contour(nck_decode_t *self, nck_status_t status, nck_bl
     return goes_on ? run_steps(self, out) : status;
 }
 
-static nck_status_t pull_watched(nck_decode_t *self, nck_status_t status, nck_block_t *out) {
-    const nck_status_t now = pass_corner(self, status, out);
-    return has_contour(self) ? pull_contour(self, now, out) : now;
-}
-
 static nck_status_t fail_entry(nck_decode_t *self, nck_status_t status) {
     self->text.over = 1;
     return fail_line(self, status);
@@ -319,7 +303,10 @@ static nck_status_t do_line(nck_decode_t *self, nck_block_t *out) {
     nck_status_t status = begin_line(self);
     if (status == NCK_OK && self->text.closed) return close_program(self, out);
     if (status == NCK_OK) status = run_steps(self, out);
-    if (is_watched(self)) status = pull_watched(self, status, out);
+    if (is_watched(self)) {
+        const nck_status_t now = pass_corner(self, status, out);
+        status = has_contour(self) ? pull_contour(self, now, out) : now;
+    }
     return end_steps(self, status, out);
 }
 
@@ -339,7 +326,12 @@ static inline int give_quick(nck_decode_t *self, nck_block_t *out) {
 // with.
 static nck_status_t pull_line(nck_decode_t *self, nck_block_t *block_out) {
     if (is_jumped(self)) {
-        const nck_status_t ends = jump_over(self);
+        // A line on the way of a jump is not read. NCK_OK: the jump ends at it, and it is to be
+        // done.
+        const nck_seek_kind_t kind = (nck_seek_kind_t)self->macro.seek.kind;
+        self->line.tag = self->line.number;
+        const nck_status_t ends = nck_seek_pass(self);
+        nck_entry_leave_out(self, kind);
         if (ends != NCK_OK) return end_steps(self, ends, block_out);
     }
     if (self->entry.waits != NCK_ENTRY_NOT && nck_entry_is_here(self)) {
@@ -380,20 +372,18 @@ static nck_status_t pull_any(nck_decode_t *self, nck_block_t *out) {
     return self->entry.waits != 0 ? pull_entry(self, out) : pull_block(self, out);
 }
 
-// The line that waits leaves nothing: as if it had never been, but that its error is told.
-static nck_status_t refuse(nck_decode_t *self, nck_status_t status) {
-    const nck_diagnostic_t error = self->finding.error;
-    nck_session_go_back(self);
-    nck_decode_find(self, &error);
-    release_line(self);
-    self->session.passes = 0;
-    return status;
-}
-
 // NCK_EMPTY: pull again.
 static nck_status_t try_line(nck_decode_t *self, nck_block_t *out) {
     const nck_status_t status = pull_any(self, out);
-    if (status < NCK_OK) return refuse(self, status);
+    if (status < NCK_OK) {
+        // The line that waits leaves nothing: as if it had never been, but that its error is told.
+        const nck_diagnostic_t error = self->finding.error;
+        nck_session_go_back(self);
+        nck_decode_find(self, &error);
+        release_line(self);
+        self->session.passes = 0;
+        return status;
+    }
     if (self->line.state != NCK_LINE_OPEN) return NCK_EMPTY;
     nck_session_go_back(self);
     self->session.phase = NCK_SESSION_DOES;

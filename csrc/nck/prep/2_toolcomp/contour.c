@@ -116,20 +116,6 @@ static nck_status_t go_straight(nck_toolcomp_t *self, const nck_block_t *block) 
     return nck_comp_way_from(self, block, &way, 1);
 }
 
-// Or by way of an arc about the contour's end.
-static nck_status_t go_round(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
-    nck_comp_stretch_t way[NCK_COMP_PARTS];
-    entry->leaves = 1;
-    for (int part = 0; part < NCK_COMP_PARTS; part++) {
-        nck_comp_piece_t piece;
-        nck_comp_piece(self, self->ring.head, (nck_comp_part_t)part, &piece);
-        entry->path[part] = (nck_comp_span_t){0.0, piece.shape.length};
-        entry->on[part] = 1;
-        nck_comp_stretch(self, &piece, &way[part]);
-    }
-    return nck_comp_way_from(self, &entry->block, way, NCK_COMP_PARTS);
-}
-
 nck_status_t nck_comp_leave(nck_toolcomp_t *self, const nck_block_t *block) {
     if (self->start != NCK_COMP_START_B) return go_straight(self, block);
     nck_comp_entry_t *const entry = read_entry(self, block);
@@ -139,7 +125,17 @@ nck_status_t nck_comp_leave(nck_toolcomp_t *self, const nck_block_t *block) {
     const double turn = nck_comp_turn(self, self->last.tangent, onward);
     if (!(self->radius * turn > NCK_COMP_SHORT)) return go_straight(self, block);
     memcpy(entry->tangent, self->last.tangent, sizeof entry->tangent);
-    const nck_status_t status = go_round(self, entry);
+    // Or by way of an arc about the contour's end.
+    nck_comp_stretch_t way[NCK_COMP_PARTS];
+    entry->leaves = 1;
+    for (int part = 0; part < NCK_COMP_PARTS; part++) {
+        nck_comp_piece_t piece;
+        nck_comp_piece(self, self->ring.head, (nck_comp_part_t)part, &piece);
+        entry->path[part] = (nck_comp_span_t){0.0, piece.shape.length};
+        entry->on[part] = 1;
+        nck_comp_stretch(self, &piece, &way[part]);
+    }
+    const nck_status_t status = nck_comp_way_from(self, &entry->block, way, NCK_COMP_PARTS);
     if (status != NCK_OK) return status;
     self->ring.head++;
     self->phase = NCK_COMP_LEAVES;

@@ -92,11 +92,6 @@ static int leave_out(nck_toolcomp_t *self, apart_t *gap, uint32_t count) {
     return fits(self, gap, count, all);
 }
 
-static int is_left_out(nck_toolcomp_t *self, uint32_t count) {
-    const nck_comp_entry_t *const entry = nck_comp_at(self, count);
-    return entry->moves && !entry->on[NCK_COMP_BESIDE];
-}
-
 static nck_status_t fail(nck_toolcomp_t *self, apart_t *gap) {
     double end[2];
     if (!(gap->depth > 0.0)) { // in no other: then where the piece before would end
@@ -142,7 +137,9 @@ static nck_status_t judge_end(nck_toolcomp_t *self) {
 static int leave_out_until(nck_toolcomp_t *self, apart_t *gap, uint32_t of, uint32_t end) {
     int fit = 0;
     for (uint32_t m = of; m != end && !fit; m++) {
-        if (is_left_out(self, m)) fit = leave_out(self, gap, m);
+        const nck_comp_entry_t *const entry = nck_comp_at(self, m);
+        const int is_left_out = entry->moves && !entry->on[NCK_COMP_BESIDE];
+        if (is_left_out) fit = leave_out(self, gap, m);
     }
     return fit;
 }

@@ -90,16 +90,6 @@ static nck_status_t change_side(nck_toolcomp_t *self, const nck_block_t *block) 
     return nck_comp_take(self, block);
 }
 
-// All before the change is given: the tool goes from beside the contour's end to its other side.
-static void cross_over(nck_toolcomp_t *self) {
-    const nck_block_t block = nck_comp_at(self, self->ring.tail)->block;
-    const double tangent[2] = {self->last.tangent[0], self->last.tangent[1]};
-    nck_comp_off(self);
-    const int beside = self->away;
-    switch_on(self, &block);
-    if (beside) nck_comp_cross(self, &block, tangent);
-}
-
 // A block of the tool's path, on its way out of the room. NCK_EMPTY: it is before where the program
 // begins.
 static nck_status_t leave(nck_toolcomp_t *self, nck_block_t *block) {
@@ -151,7 +141,14 @@ static nck_status_t begin_entry(nck_toolcomp_t *self, nck_block_t *out) {
     nck_comp_entry_t *const entry = nck_comp_at(self, self->ring.tail);
     const unsigned part = self->walk.part;
     if (NCK_HAS_FOREIGN && entry->block.kind == NCK_BLOCK_COMP) {
-        cross_over(self);
+        // All before the change is given: the tool goes from beside the contour's end to its other
+        // side.
+        const nck_block_t block = nck_comp_at(self, self->ring.tail)->block;
+        const double tangent[2] = {self->last.tangent[0], self->last.tangent[1]};
+        nck_comp_off(self);
+        const int beside = self->away;
+        switch_on(self, &block);
+        if (beside) nck_comp_cross(self, &block, tangent);
         return NCK_EMPTY;
     }
     if (part == NCK_COMP_PARTS || !entry->moves) {

@@ -44,15 +44,6 @@ static const nck_seg_t *seg_at(const nck_interpolate_t *self, uint32_t seq) {
     return nck_link_seg(self->link, seq);
 }
 
-// The first cell behind a rest.
-static void set_off(nck_interpolate_t *self) {
-    if (self->cell.stop & NCK_STOP_SETS_OFF) nck_clock_go_on(&self->clock);
-    self->filter.taps = nck_clock_taps(self->terms, seg_at(self, self->cell.seg));
-    self->rests = 0;
-    nck_mean_begin(&self->filter, &self->cell);
-    nck_link_seg_finish(self->link, self->filter.seg);
-}
-
 // The next cell; if there is none the one before stays.
 static inline int next_cell(nck_interpolate_t *self) {
     const uint32_t seg_before = self->cell.seg;
@@ -61,7 +52,12 @@ static inline int next_cell(nck_interpolate_t *self) {
     if (nck_link_take(self->link, &self->cell, &from_tail) != NCK_OK) return 0;
     self->from_tail = (uint32_t)from_tail;
     if (self->rests) {
-        set_off(self);
+        // The first cell behind a rest.
+        if (self->cell.stop & NCK_STOP_SETS_OFF) nck_clock_go_on(&self->clock);
+        self->filter.taps = nck_clock_taps(self->terms, seg_at(self, self->cell.seg));
+        self->rests = 0;
+        nck_mean_begin(&self->filter, &self->cell);
+        nck_link_seg_finish(self->link, self->filter.seg);
     } else if (self->filter.taps > 1) { // else nobody asks, and segs may be many
         self->filter.ahead += nck_mean_length(self->link, seg_before, self->cell.seg);
     }
@@ -226,11 +222,6 @@ static inline int stands_aside(nck_interpolate_t *self) {
     return owner != NCK_LINK_BOTH && yields(self, owner);
 }
 
-// Time begins to count later.
-static void rebase(nck_interpolate_t *self) {
-    self->k -= nck_interpolate_rebase(&self->t_cell, self->machine->period_s);
-}
-
 // No cell follows: stand where the last one ends. A tail ends at rest.
 static const nck_pose_t *run_dry(nck_interpolate_t *self) {
     nck_fence_store(&self->has_cell, 0);
@@ -258,7 +249,8 @@ static inline int cross(nck_interpolate_t *self) {
         return 0;
     }
     self->t_cell += self->cell.duration;
-    rebase(self);
+    // Time begins to count later.
+    self->k -= nck_interpolate_rebase(&self->t_cell, self->machine->period_s);
     if (!next_cell(self)) {
         (void)run_dry(self);
         return 0;
@@ -390,14 +382,12 @@ static const nck_pose_t *tick(nck_interpolate_t *self) {
     return &self->pose;
 }
 
-static void tell_rest(nck_interpolate_t *self) {
-    const int rests = !self->has_cell || self->clock.state == NCK_CLOCK_STANDS;
-    nck_fence_store(&self->stands, self->brakes && rests && !(self->pose.v > 0.0));
-}
-
 static void go_on(nck_interpolate_t *self) {
     (void)tick(self);
-    if (self->brakes | self->stands) tell_rest(self);
+    if (self->brakes | self->stands) {
+        const int rests = !self->has_cell || self->clock.state == NCK_CLOCK_STANDS;
+        nck_fence_store(&self->stands, self->brakes && rests && !(self->pose.v > 0.0));
+    }
 }
 
 // One period on by the path tells the speed of every axis; from where it began they brake.

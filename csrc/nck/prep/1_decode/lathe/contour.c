@@ -159,12 +159,6 @@ static void turn_frame(nck_decode_t *self, const nck_element_t *element) {
     if (rough->sign[0] == 0 && way_nm != 0) rough->sign[0] = sign_of((double)way_nm);
 }
 
-// It turns back along the cuts, or against their depth.
-static nck_status_t fail_way(nck_decode_t *self, int back) {
-    const int z = (self->held.rough.along == 1) == back;
-    return nck_decode_fail(self, NCK_E_CONTOUR, 0, z ? 'Z' : 'X', 0.0, 0.0);
-}
-
 // A contour that is roughed goes one way along the cuts; Fanuc's type I against the depth, too.
 static nck_status_t judge(nck_decode_t *self, uint32_t last) {
     nck_contour_t *const contour = &self->held.contour;
@@ -177,7 +171,11 @@ static nck_status_t judge(nck_decode_t *self, uint32_t last) {
         const int back = slant.a[0] - slant.a[1] > back_most;
         const int falls = slant.d[0] - slant.d[1] > back_most;
         contour->falls |= (uint32_t)falls;
-        if (back || (contour->one_way && falls)) return fail_way(self, back);
+        if (back || (contour->one_way && falls)) {
+            // It turns back along the cuts, or against their depth.
+            const int z = (self->held.rough.along == 1) == back;
+            return nck_decode_fail(self, NCK_E_CONTOUR, 0, z ? 'Z' : 'X', 0.0, 0.0);
+        }
     }
     return NCK_OK;
 }

@@ -94,19 +94,6 @@ static nck_status_t read_lines(nck_decode_t *self) {
     return NCK_OK;
 }
 
-// U is a diameter where X is one.
-static nck_status_t read_spare(nck_decode_t *self) {
-    nck_rough_t *const rough = &self->held.rough;
-    int64_t u_nm = 0, w_nm = 0;
-    nck_status_t status = read_length(self, 'U', any_nm, &u_nm);
-    if (status == NCK_OK) status = read_length(self, 'W', any_nm, &w_nm);
-    rough->shift_mm[0] = (double)u_nm / (self->modal.diameter ? 2e6 : 1e6);
-    rough->shift_mm[1] = (double)w_nm / 1e6;
-    rough->spare = 0.0;
-    rough->spare_step = 0.0;
-    return status;
-}
-
 static nck_status_t read_levels(nck_decode_t *self) {
     nck_rough_t *const rough = &self->held.rough;
     int64_t depth_nm = rough->depth_nm;
@@ -178,7 +165,15 @@ static nck_status_t read_numbers(nck_decode_t *self) {
             return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, letter, 0.0, 0.0);
         }
     }
-    status = read_spare(self);
+    // U is a diameter where X is one.
+    nck_rough_t *const rough = &self->held.rough;
+    int64_t u_nm = 0, w_nm = 0;
+    status = read_length(self, 'U', any_nm, &u_nm);
+    if (status == NCK_OK) status = read_length(self, 'W', any_nm, &w_nm);
+    rough->shift_mm[0] = (double)u_nm / (self->modal.diameter ? 2e6 : 1e6);
+    rough->shift_mm[1] = (double)w_nm / 1e6;
+    rough->spare = 0.0;
+    rough->spare_step = 0.0;
     if (status == NCK_OK) {
         status = code == NCK_MOTION_PATTERN ? read_patterns(self) : read_levels(self);
     }

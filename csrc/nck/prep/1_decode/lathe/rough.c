@@ -69,26 +69,23 @@ static nck_status_t check_shift(nck_decode_t *self) {
     return NCK_OK;
 }
 
-// The depth is too small: its letter is U or W of a line before, D, or RS274NGC's I.
-static nck_status_t fail_depth(nck_decode_t *self) {
-    const nck_rough_t *const rough = &self->held.rough;
-    const nck_scale_t *const scale = &self->place.scale[0];
-    const int before = (double)rough->depth_nm / 1e6 == rough->depth;
-    const int deep = self->held.contour.code == NCK_MOTION_ROUGH ? 'U' : 'W';
-    const int fanuc = before ? deep : 'D';
-    const double least = -rough->bottom / (double)LEVELS_MOST;
-    return nck_decode_fail(self, NCK_E_NUMBER_RANGE, 0,
-                           self->tongue == NCK_TONGUE_LINUXCNC ? 'I' : fanuc,
-                           nck_decode_as_word(scale, rough->depth * 1e6),
-                           nck_decode_as_word(scale, least * 1e6));
-}
-
 static nck_status_t set_levels(nck_decode_t *self) {
     nck_rough_t *const rough = &self->held.rough;
     double last[2], clear = 0.0;
     nck_level_place(self, self->held.contour.count - 1, last);
     const double count = -rough->bottom / rough->depth;
-    if (count > (double)LEVELS_MOST) return fail_depth(self);
+    if (count > (double)LEVELS_MOST) {
+        // The depth is too small: its letter is U or W of a line before, D, or RS274NGC's I.
+        const nck_scale_t *const scale = &self->place.scale[0];
+        const int before = (double)rough->depth_nm / 1e6 == rough->depth;
+        const int deep = self->held.contour.code == NCK_MOTION_ROUGH ? 'U' : 'W';
+        const int fanuc = before ? deep : 'D';
+        const double least = -rough->bottom / (double)LEVELS_MOST;
+        return nck_decode_fail(self, NCK_E_NUMBER_RANGE, 0,
+                               self->tongue == NCK_TONGUE_LINUXCNC ? 'I' : fanuc,
+                               nck_decode_as_word(scale, rough->depth * 1e6),
+                               nck_decode_as_word(scale, least * 1e6));
+    }
     rough->levels = (uint32_t)nck_floor(count);
     rough->levels += (double)rough->levels * rough->depth < -rough->bottom - tiny;
     rough->end = 0.0;

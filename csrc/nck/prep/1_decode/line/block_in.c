@@ -88,15 +88,6 @@ static nck_status_t set_code(nck_decode_t *self, const nck_block_in_t *block) {
     return NCK_OK;
 }
 
-// What radius compensation has no place for: an arc in another plane, a change of tool.
-static nck_status_t comp_refuses(nck_decode_t *self, const nck_block_in_t *block) {
-    const int turns = block->kind == NCK_IN_ARC && block->plane != self->modal.plane;
-    const int changes = (self->words.steps & NCK_STEP(NCK_STEP_CHANGE)) != 0;
-    if (!self->modal.comp) return NCK_OK;
-    if (turns) return nck_decode_fail(self, NCK_E_COMP_ON, 0, 'G', (double)block->plane, 0.0);
-    return changes ? nck_decode_fail(self, NCK_E_COMP_ON, 0, 'M', block->value, 0.0) : NCK_OK;
-}
-
 nck_status_t nck_decode_pushed(nck_decode_t *self) {
     const nck_block_in_t *const block = &self->pushed;
     self->words.letters = 0;
@@ -109,7 +100,13 @@ nck_status_t nck_decode_pushed(nck_decode_t *self) {
     set_feed(self, block);
     set_path(self, block);
     const nck_status_t status = block->kind == NCK_IN_M ? set_code(self, block) : NCK_OK;
-    return status == NCK_OK ? comp_refuses(self, block) : status;
+    if (status != NCK_OK) return status;
+    // What radius compensation has no place for: an arc in another plane, a change of tool.
+    const int turns = block->kind == NCK_IN_ARC && block->plane != self->modal.plane;
+    const int changes = (self->words.steps & NCK_STEP(NCK_STEP_CHANGE)) != 0;
+    if (!self->modal.comp) return NCK_OK;
+    if (turns) return nck_decode_fail(self, NCK_E_COMP_ON, 0, 'G', (double)block->plane, 0.0);
+    return changes ? nck_decode_fail(self, NCK_E_COMP_ON, 0, 'M', block->value, 0.0) : NCK_OK;
 }
 
 // The machine position that the block names.

@@ -191,14 +191,6 @@ static nck_status_t check_codes(nck_decode_t *self) {
     return status == NCK_OK ? check_in_force(self) : status;
 }
 
-// G65 and G66: all words are the called program's.
-static nck_status_t resolve_macro(nck_decode_t *self) {
-    nck_words_t *const words = &self->words;
-    words->steps = NCK_STEP(NCK_STEP_CALL);
-    if (words->codes == words->steps) return NCK_OK;
-    return nck_decode_fail_code(self, NCK_E_MODAL_GROUP, NCK_STEP_CALL);
-}
-
 static nck_status_t resolve_words(nck_decode_t *self) {
     nck_words_t *const words = &self->words;
     const uint32_t always = NCK_LETTER('F') | NCK_LETTER('N') | NCK_LETTER('S') | NCK_LETTER('T');
@@ -242,7 +234,13 @@ static nck_status_t resolve_printer(nck_decode_t *self) {
 
 nck_status_t nck_decode_resolve(nck_decode_t *self) {
     const int calls = has(&self->words, NCK_STEP_CALL);
-    if (calls && nck_words_are_arguments(&self->words)) return resolve_macro(self);
+    if (calls && nck_words_are_arguments(&self->words)) {
+        // G65 and G66: all words are the called program's.
+        nck_words_t *const words = &self->words;
+        words->steps = NCK_STEP(NCK_STEP_CALL);
+        if (words->codes == words->steps) return NCK_OK;
+        return nck_decode_fail_code(self, NCK_E_MODAL_GROUP, NCK_STEP_CALL);
+    }
     const int own = has(&self->words, NCK_STEP_OWN);
     if (own && self->words.code[NCK_STEP_OWN] >= NCK_CODE_OWN_G) return resolve_own(self);
     if (self->machine->dialect.base == NCK_DIALECT_MARLIN) return resolve_printer(self);

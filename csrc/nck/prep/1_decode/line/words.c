@@ -171,13 +171,6 @@ static int is_argument(const nck_words_t *words, char letter) {
     return calls && letter >= 'I' && letter <= 'K' && nck_words_are_arguments(words);
 }
 
-// An O word, or O of a printer's G28.
-static nck_status_t read_o(nck_decode_t *self, const char **at) {
-    if (nck_printer_flag(self, 'O') == NCK_FLAG_NONE) return nck_decode_o_word(self, at);
-    ++*at;
-    return NCK_EMPTY;
-}
-
 static nck_status_t read_word(nck_decode_t *self, const char **at) {
     nck_words_t *const words = &self->words;
     const char letter = (char)(**at & ~0x20);
@@ -187,7 +180,12 @@ static nck_status_t read_word(nck_decode_t *self, const char **at) {
     if (letter == 'G' || (letter == 'M' && !nck_words_are_arguments(words))) {
         return read_code(self, at);
     }
-    if (letter == 'O') return read_o(self, at);
+    if (letter == 'O') {
+        // An O word, or O of a printer's G28.
+        if (nck_printer_flag(self, 'O') == NCK_FLAG_NONE) return nck_decode_o_word(self, at);
+        ++*at;
+        return NCK_EMPTY;
+    }
     if (is_argument(words, letter)) return read_argument(self, at);
     *at = nck_number_read(self->line.text, first + 1, &words->number[index]);
     if (*at == NULL) {

@@ -19,16 +19,6 @@ static nck_status_t fail_at(nck_decode_t *self, const char *at, nck_status_t cod
 
 // ---- assignments
 
-// A work offset counts at once, so nothing but assignments may stand beside it.
-static nck_status_t set_work(nck_decode_t *self, const char *at, uint64_t number, double value) {
-    const nck_words_t *const words = &self->words;
-    const int words_before = words->codes != 0 || (words->letters & ~NCK_LETTER('N')) != 0;
-    nck_status_t status = NCK_E_WORD_SHARED;
-    if (!words_before) status = nck_parameter_set_work(self, (uint32_t)number, value);
-    if (status == NCK_OK) return NCK_OK;
-    return nck_decode_fail_at(self, status, at, '#', (double)number, nck_parameter_limit(status));
-}
-
 // What the control itself does where its own parameters are set.
 static nck_status_t set_own(nck_decode_t *self, const char *at, uint64_t number, double value) {
     const int fanuc = nck_is_fanuc(self);
@@ -38,7 +28,16 @@ static nck_status_t set_own(nck_decode_t *self, const char *at, uint64_t number,
     if (nck_parameter_is_switch(self, (uint32_t)number)) {
         return nck_parameter_set_switch(self, (uint32_t)number, value);
     }
-    if (!fanuc || number != STOPS) return set_work(self, at, number, value);
+    if (!fanuc || number != STOPS) {
+        // A work offset counts at once, so nothing but assignments may stand beside it.
+        const nck_words_t *const words = &self->words;
+        const int words_before = words->codes != 0 || (words->letters & ~NCK_LETTER('N')) != 0;
+        nck_status_t status = NCK_E_WORD_SHARED;
+        if (!words_before) status = nck_parameter_set_work(self, (uint32_t)number, value);
+        if (status == NCK_OK) return NCK_OK;
+        return nck_decode_fail_at(self, status, at, '#', (double)number,
+                                  nck_parameter_limit(status));
+    }
     self->words.steps |= NCK_STEP(NCK_STEP_STOP);
     self->words.codes |= NCK_STEP(NCK_STEP_STOP);
     self->words.code[NCK_STEP_STOP] = 0;

@@ -132,17 +132,16 @@ void nck_seek(nck_decode_t *self, nck_seek_kind_t kind, uint64_t key) {
     macro->jumped = 1;
 }
 
-// What was called begins here.
-static nck_status_t arrive(nck_decode_t *self, const nck_text_place_t *place) {
-    nck_frame_t *const frame = nck_frame_call(self);
-    if (frame != NULL) frame->begin = *place;
-    return nck_jump(self, place);
-}
-
 nck_status_t nck_seek_called(nck_decode_t *self, nck_seek_kind_t kind, uint64_t key) {
     if (!NCK_HAS_CALLS) return NCK_E_UNSUPPORTED;
     const nck_label_t *const label = known(&self->macro, kind, key);
-    if (label != NULL) return arrive(self, &label->place);
+    if (label != NULL) {
+        // What was called begins here.
+        const nck_text_place_t *const place = &label->place;
+        nck_frame_t *const frame = nck_frame_call(self);
+        if (frame != NULL) frame->begin = *place;
+        return nck_jump(self, place);
+    }
     nck_seek(self, kind, key);
     return NCK_OK;
 }

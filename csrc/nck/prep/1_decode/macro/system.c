@@ -254,14 +254,6 @@ nck_status_t nck_parameter_set_switch(nck_decode_t *self, uint32_t number, doubl
     return nck_variable_wait(self, number, nck_value_is(value) ? value - from : -from);
 }
 
-// Each question takes a millisecond, so that what waits for a time comes to an end.
-static nck_status_t read_timer(nck_decode_t *self, uint32_t number, double *value_out) {
-    const double *const set = nck_variable_find(self, number);
-    *value_out = timer(self, number) + (set != NULL ? *set : 0.0);
-    note(self, NCK_NOTE_TIMER, number);
-    return number == TIMER ? nck_parameter_set_switch(self, number, *value_out + 1.0) : NCK_OK;
-}
-
 // A parameter that the control keeps itself.
 static nck_status_t read_own(nck_decode_t *self, uint32_t number, double *value_out) {
     const row_t *const row = find(self, number);
@@ -279,7 +271,13 @@ static nck_status_t read_own(nck_decode_t *self, uint32_t number, double *value_
 nck_status_t nck_parameter_number(nck_decode_t *self, uint32_t number, double *value_out) {
     if (!NCK_HAS_VARIABLES) return NCK_E_UNSUPPORTED;
     const int fanuc = (self->tongue & NCK_TONGUES_FANUC) != 0;
-    if (fanuc && number - TIMER < 2) return read_timer(self, number, value_out);
+    if (fanuc && number - TIMER < 2) {
+        // Each question takes a millisecond, so that what waits for a time comes to an end.
+        const double *const set = nck_variable_find(self, number);
+        *value_out = timer(self, number) + (set != NULL ? *set : 0.0);
+        note(self, NCK_NOTE_TIMER, number);
+        return number == TIMER ? nck_parameter_set_switch(self, number, *value_out + 1.0) : NCK_OK;
+    }
     const double *const known = nck_variable_find(self, number);
     *value_out = known != NULL ? *known : fanuc ? NCK_NO_VALUE : 0.0;
     if (known != NULL || !nck_parameter_is_own(self, number)) return NCK_OK;

@@ -420,19 +420,17 @@ static void drop_cycle(nck_decode_t *self) {
     self->held.rough.phase = 0;
 }
 
-// Nothing of a line with a word has moved.
-static nck_status_t miss(nck_decode_t *self) {
-    name_word(self);
-    return fail(self, self->held.corner.size);
-}
-
 nck_status_t nck_corner_take(nck_decode_t *self, nck_status_t status, nck_block_t *out) {
     nck_corner_t *const corner = &self->held.corner;
     nck_status_t now = status;
     if (!NCK_HAS_CYCLES) return NCK_E_UNSUPPORTED;
     if (now == NCK_OK) now = take_block(self, out);
     const int says = corner->word.letter != 0;
-    if (now == NCK_EMPTY && says && self->words.steps == 0) now = miss(self);
+    if (now == NCK_EMPTY && says && self->words.steps == 0) {
+        // Nothing of a line with a word has moved.
+        name_word(self);
+        now = fail(self, self->held.corner.size);
+    }
     if (status == NCK_OK && now < NCK_OK) drop_cycle(self);
     if (now < NCK_OK || (corner->phase == NCK_CORNER_NOT && !says)) forget(self, now < NCK_OK);
     return now;

@@ -35,14 +35,6 @@ static int comes_nearer(const nck_decode_t *self, unsigned axis, int64_t target_
     return from_nm < travel->min_nm && target_nm <= travel->max_nm && target_nm >= from_nm;
 }
 
-static nck_status_t check_way(nck_decode_t *self, const int64_t *target_nm) {
-    uint32_t axes = self->words.axes;
-    for (unsigned axis = 0; self->session.before && axis < NCK_AXIS_MAX; axis++) {
-        if (comes_nearer(self, axis, target_nm[axis])) axes &= ~((uint32_t)1 << axis);
-    }
-    return check_targets(self, axes, target_nm);
-}
-
 // Degrees per minute are what F means if nothing but rotary axes moves, in inches too.
 static int only_rotary_moves(const nck_decode_t *self, const int64_t *target_nm) {
     if (!(self->words.axes & self->place.rotary)) return 0;
@@ -83,7 +75,11 @@ int nck_decode_has_feed(const nck_decode_t *self, uint8_t kind) {
 nck_status_t nck_decode_straight(nck_decode_t *self, nck_block_kind_t kind,
                                  const int64_t *target_nm, nck_block_t *out) {
     double feed = 0.0;
-    nck_status_t status = check_way(self, target_nm);
+    uint32_t axes = self->words.axes;
+    for (unsigned axis = 0; self->session.before && axis < NCK_AXIS_MAX; axis++) {
+        if (comes_nearer(self, axis, target_nm[axis])) axes &= ~((uint32_t)1 << axis);
+    }
+    nck_status_t status = check_targets(self, axes, target_nm);
     if (status == NCK_OK && kind == NCK_BLOCK_LINE) {
         status = nck_decode_cutting_feed(self, only_rotary_moves(self, target_nm), &feed);
     }

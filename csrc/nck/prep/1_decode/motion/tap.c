@@ -9,11 +9,6 @@
 
 #define SECONDS 60.0
 
-static int is_empty(const nck_tap_t *tap) {
-    const double way = nck_fabs(tap->way[0]) + nck_fabs(tap->way[1]) + nck_fabs(tap->way[2]);
-    return !(way > 0.0);
-}
-
 nck_status_t nck_decode_tap(nck_decode_t *self, const int64_t *bottom_nm, double lead,
                             double dwell_s, nck_block_t *out) {
     const double rpm = self->modal.speed;
@@ -25,7 +20,9 @@ nck_status_t nck_decode_tap(nck_decode_t *self, const int64_t *bottom_nm, double
     for (unsigned axis = 0; axis < 3; axis++) {
         tap.way[axis] = (double)(bottom_nm[axis] - self->place.position_nm[axis]) * 1e-6;
     }
-    if (is_empty(&tap)) return nck_motion_fail_empty(self, v, 'R');
+    const double way = nck_fabs(tap.way[0]) + nck_fabs(tap.way[1]) + nck_fabs(tap.way[2]);
+    const int is_empty = !(way > 0.0);
+    if (is_empty) return nck_motion_fail_empty(self, v, 'R');
     const double most = nck_tap_speed_most(self->machine, &tap);
     if (v > most) return nck_motion_fail(self, NCK_E_THREAD_SPEED, 'F', v, most);
     nck_tap_plan(self->machine, &tap, rpm, &pass, &back);

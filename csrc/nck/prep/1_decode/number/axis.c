@@ -28,17 +28,13 @@ static unsigned column_of_axis(const nck_decode_t *self, unsigned axis) {
     return said ? self->words.column[letter - 'A'] : 0;
 }
 
-static nck_status_t fail_range(nck_decode_t *self, int letter, const nck_scale_t *scale) {
-    const double limit = nck_decode_as_word(scale, (double)scale->limit);
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_decode_said(self, letter),
-                                limit * nck_decode_counts(self, letter));
-}
-
 static nck_status_t read_word(nck_decode_t *self, int letter, const nck_scale_t *scale,
                               int64_t *value_out) {
     const nck_number_t *const word = &self->words.number[letter - 'A'];
     if (nck_decode_fixed(self, word, scale, value_out)) return NCK_OK;
-    return fail_range(self, letter, scale);
+    const double limit = nck_decode_as_word(scale, (double)scale->limit);
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_decode_said(self, letter),
+                                limit * nck_decode_counts(self, letter));
 }
 
 nck_status_t nck_decode_axis_word(nck_decode_t *self, unsigned axis, int64_t *value_out) {

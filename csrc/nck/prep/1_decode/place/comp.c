@@ -108,13 +108,6 @@ static nck_status_t give(nck_decode_t *self, double radius, int64_t nose, nck_bl
     return NCK_OK;
 }
 
-// Fanuc changes the side without G40 between; the way across has the feed in force, and G93's is
-// that of one move.
-static int refuses(const nck_decode_t *self) {
-    const int fanuc = NCK_HAS_FOREIGN && nck_is_fanuc(self);
-    return self->modal.comp && (!fanuc || self->modal.feed_mode == NCK_FEED_INVERSE);
-}
-
 // G41, G42. left: the side, ±1.
 static nck_status_t begin(nck_decode_t *self, double left, nck_block_t *out) {
     const uint8_t before = self->modal.comp;
@@ -145,6 +138,10 @@ nck_status_t nck_decode_comp(nck_decode_t *self, nck_block_t *out) {
         return before == NCK_COMPENSATES ? give(self, 0.0, 0, out) : NCK_EMPTY;
     }
     if (!NCK_HAS_COMP) return nck_decode_fail_code(self, NCK_E_UNSUPPORTED, NCK_STEP_RADIUS_COMP);
-    if (refuses(self)) return nck_decode_fail_code(self, NCK_E_COMP_ON, NCK_STEP_RADIUS_COMP);
+    // Fanuc changes the side without G40 between; the way across has the feed in force, and G93's
+    // is that of one move.
+    const int fanuc = NCK_HAS_FOREIGN && nck_is_fanuc(self);
+    const int refuses = self->modal.comp && (!fanuc || self->modal.feed_mode == NCK_FEED_INVERSE);
+    if (refuses) return nck_decode_fail_code(self, NCK_E_COMP_ON, NCK_STEP_RADIUS_COMP);
     return begin(self, left ? 1.0 : -1.0, out);
 }

@@ -73,23 +73,6 @@ static nck_status_t read_rounding(nck_decode_t *self) {
     return NCK_EMPTY;
 }
 
-// Axis words beside such a code would be no move on a control, and what they are goes by it.
-static nck_status_t refuse_axes(nck_decode_t *self) {
-    for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
-        if (!(self->words.axes >> axis & 1u)) continue;
-        return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, nck_decode_letter(axis), 0.0, 0.0);
-    }
-    return NCK_OK;
-}
-
-// G61.1 G62 G63: they end G61.
-static nck_status_t join_group(nck_decode_t *self, uint32_t tenths) {
-    self->modal.path_mode = NCK_PATH_CONTINUOUS;
-    set_tolerance(self, self->modal.plain_mm);
-    explain(self, NCK_STEP_PATH, tenths, 0);
-    return NCK_EMPTY;
-}
-
 // G5 G5.1 G8 G103 G187.
 static nck_status_t choose(nck_decode_t *self, uint32_t tenths) {
     const int letter = word_of(tenths);
@@ -110,9 +93,18 @@ static nck_status_t choose(nck_decode_t *self, uint32_t tenths) {
 nck_status_t nck_decode_mode(nck_decode_t *self) {
     if (!NCK_HAS_FOREIGN) return nck_decode_fail_code(self, NCK_E_UNSUPPORTED, NCK_STEP_PATH);
     const uint32_t tenths = self->words.code[NCK_STEP_PATH];
-    if (tenths >= G61_1 && tenths < G64) return join_group(self, tenths);
-    const nck_status_t status = refuse_axes(self);
-    if (status != NCK_OK) return status;
+    if (tenths >= G61_1 && tenths < G64) {
+        // G61.1 G62 G63: they end G61.
+        self->modal.path_mode = NCK_PATH_CONTINUOUS;
+        set_tolerance(self, self->modal.plain_mm);
+        explain(self, NCK_STEP_PATH, tenths, 0);
+        return NCK_EMPTY;
+    }
+    // Axis words beside such a code would be no move on a control, and what they are goes by it.
+    for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
+        if (!(self->words.axes >> axis & 1u)) continue;
+        return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, nck_decode_letter(axis), 0.0, 0.0);
+    }
     return tenths == G10_9 ? NCK_EMPTY : choose(self, tenths); // G10.9 names no axis to switch
 }
 

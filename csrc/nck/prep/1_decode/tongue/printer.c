@@ -256,17 +256,6 @@ static int extrudes_steps(nck_decode_t *self, int incremental) {
     return modal->extrudes_steps || (incremental && firmware == NCK_FIRMWARE_KLIPPER);
 }
 
-// The word of E becomes one of the others' kind.
-static nck_status_t convert(nck_decode_t *self, int steps, nck_number_t *word) {
-    const int64_t at_nm = self->place.position_nm[AXIS_E] - self->place.origin_nm[AXIS_E];
-    int64_t value_nm = 0;
-    nck_status_t status = nck_decode_axis_word(self, AXIS_E, &value_nm);
-    value_nm += steps ? at_nm : -at_nm;
-    if (status == NCK_OK) status = nck_decode_steps(self, AXIS_E, 0, 0, &value_nm);
-    if (status == NCK_OK) nck_decode_write(self, AXIS_E, value_nm, word);
-    return status;
-}
-
 nck_status_t nck_printer_extrude(nck_decode_t *self) {
     if (!NCK_HAS_FOREIGN) return NCK_OK;
     nck_words_t *const words = &self->words;
@@ -284,5 +273,13 @@ nck_status_t nck_printer_extrude(nck_decode_t *self) {
     *word = words->number['E' - 'A'];
     words->column['U' - 'A'] = words->column['E' - 'A'];
     words->letters = (words->letters & ~e) | u;
-    return sets || steps == incremental ? NCK_OK : convert(self, steps, word);
+    if (sets || steps == incremental) return NCK_OK;
+    // The word of E becomes one of the others' kind.
+    const int64_t at_nm = self->place.position_nm[AXIS_E] - self->place.origin_nm[AXIS_E];
+    int64_t value_nm = 0;
+    nck_status_t status = nck_decode_axis_word(self, AXIS_E, &value_nm);
+    value_nm += steps ? at_nm : -at_nm;
+    if (status == NCK_OK) status = nck_decode_steps(self, AXIS_E, 0, 0, &value_nm);
+    if (status == NCK_OK) nck_decode_write(self, AXIS_E, value_nm, word);
+    return status;
 }
