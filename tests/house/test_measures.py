@@ -51,6 +51,12 @@ def test_the_pages_grow_no_longer(told):
     assert int(running.replace(",", "")) <= 24_000
 
 
+def test_what_one_place_calls_has_a_reason(told):
+    once, every = measures.called_once()
+    assert once / every <= 0.64, "a helper has a name if two call it, or if it is a formula"
+    assert int(told["lines of csrc/nck"].replace(",", "")) <= 40_000
+
+
 def test_a_joint_is_an_axis_drive_and_nothing_else():
     prep = [name for name in house.CORE if "/prep/" in name]
     word = re.compile(r"(?<![A-Za-z])joints?(?!_nm)(?![a-z])", re.I)

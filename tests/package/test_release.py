@@ -21,6 +21,12 @@ def test_one_version_is_told_by_all():
     assert re.search(r"^## ([0-9.]+)", changes, re.M)[1] == version()
 
 
+def test_a_version_is_told_in_sixty_lines():
+    changes = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    versions = re.split(r"^## ", changes, flags=re.M)[1:]
+    assert [each.split()[0] for each in versions if each.rstrip().count("\n") >= 60] == []
+
+
 def test_the_licences_are_those_of_the_sources():
     cited = re.findall(r"^  - ([\w.-]+)$", CITATION.split("license:")[1].split("keywords")[0], re.M)
     assert " AND ".join(cited) == PROJECT["license"]
