@@ -24,6 +24,7 @@ import lizard
 GENERATED = {"machine.md", "diagnostics.md", "json.md", "commands.md", "trace.md"}
 SLOPE, DECODE = "csrc/nck/prep/5_slope/", "csrc/nck/prep/1_decode/"
 PARAMETERS, COMPLEXITY = 6, 12
+NUMBERS = ("double", "nck_real", "nck_num", "int64_t")
 
 
 def room_of(name):
@@ -101,15 +102,26 @@ def door():
 
 
 def called_once():
-    """Return (static functions of csrc/nck that one place calls, all of them); no inline ones."""
-    once = every = 0
+    """Return (static functions of csrc/nck that one place calls, those without a reason, all).
+
+    A reason is a formula, a condition, a phase that a table or a switch calls, a length of 20
+    lines. Inline ones do not count.
+    """
+    once = every = without = 0
+    function = re.compile(r"^static (?!inline|const)([\w *]*?)\b(\w+)\([^;{]*\)\s*"
+                          r"\{([^\n]*\}| *\n.*?\n\})$", re.M | re.S)  # fmt: skip
+    phase = re.compile(r"^\s*(?:case|default)\b.*?\b(\w+)\(|\b(\w+)(?=[,\s]*[,}]|\n)", re.M)
     for name in (name for name in house.CORE if name.endswith(".c")):
         text = house.without_comments(house.read(name))
-        own = set(re.findall(r"^static (?!inline|const)[\w *]*?\b(\w+)\([^;{]*\)\s*\{", text, re.M))
         uses = Counter(re.findall(r"\b(\w+)\b", text))
+        own = {each[2]: each for each in function.finditer(text)}
+        single = [each for each in own.values() if uses[each[2]] == 2]
+        phases = {word for found in phase.findall(text) for word in found}
         every += len(own)
-        once += sum(uses[function] == 2 for function in own)
-    return once, every
+        once += len(single)
+        without += sum(each[1].strip() not in ("int", *NUMBERS) and each[2] not in phases
+                       and each[3].count("\n") < 20 for each in single)  # fmt: skip
+    return once, without, every
 
 
 def doubles():
@@ -200,8 +212,9 @@ def figures():
     functions, lines, told = door()
     yield "nck.h: functions / lines behind the preprocessor", f"{functions} / {lines:,}"
     yield "nck.h: documented each by itself", f"{told:.0%}"
-    once, every = called_once()
+    once, without, every = called_once()
     yield "static functions of csrc/nck called from one place", f"{once / every:.0%} of {every:,}"
+    yield "those that are no formula, condition, phase or long", f"{without / every:.0%}"
     yield "static functions of csrc/nck that stand in two files", f"{len(doubles())}"
     yield "sources a 1000 lines of formulas", f"{sources():.1f}"
     yield "words of the glossary", f"{len(glossary())}"

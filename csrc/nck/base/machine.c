@@ -2,9 +2,12 @@
 // A machine to start from, and the ranges of all its numbers.
 #include "nck/base/machine.h"
 
-#include <string.h> // memset
+#include <stddef.h> // offsetof
+#include <string.h> // memcpy memset
 
 #include "nck/base/real.h" // nck_within
+
+#define AT(member) offsetof(nck_machine_t, member)
 
 enum { SWITCHES = 10 }; // of /1 … /9
 
@@ -68,11 +71,21 @@ static int good(nck_quantity_t quantity, double value) {
     return nck_within(value, ranges[quantity].low, ranges[quantity].high);
 }
 
-// Is each value, as far as there are any, within the range of its quantity?
-static int all_good(const nck_quantity_t *quantity, const double *const *value, unsigned count) {
-    unsigned k = 0;
-    while (k < count && good(quantity[k], *value[k])) k++;
-    return k == count;
+// A number and its place.
+typedef struct number {
+    uint16_t at;
+    uint8_t quantity; // nck_quantity_t
+} number_t;
+
+// Is each of them within the range of its quantity?
+static int all_good(const void *self, const number_t *row, unsigned count) {
+    int all = 1;
+    for (unsigned k = 0; all && k < count; k++) {
+        double value;
+        memcpy(&value, (const char *)self + row[k].at, sizeof value);
+        all = good((nck_quantity_t)row[k].quantity, value);
+    }
+    return all;
 }
 
 static int place_good(const nck_axis_t *axis, int64_t place_nm) {
@@ -82,10 +95,11 @@ static int place_good(const nck_axis_t *axis, int64_t place_nm) {
 }
 
 static int axis_good(const nck_axis_t *axis) {
-    static const nck_quantity_t quantity[] = {NCK_QUANTITY_SPEED, NCK_QUANTITY_SPEED,
-                                              NCK_QUANTITY_ACCELERATION, NCK_QUANTITY_JERK};
-    const double *const value[] = {&axis->v_max, &axis->rapid, &axis->a_max, &axis->j_max};
-    return axis->present <= 1 && axis->rotary <= 1 && all_good(quantity, value, 4)
+    static const number_t numbers[] = {{offsetof(nck_axis_t, v_max), NCK_QUANTITY_SPEED},
+                                       {offsetof(nck_axis_t, rapid), NCK_QUANTITY_SPEED},
+                                       {offsetof(nck_axis_t, a_max), NCK_QUANTITY_ACCELERATION},
+                                       {offsetof(nck_axis_t, j_max), NCK_QUANTITY_JERK}};
+    return axis->present <= 1 && axis->rotary <= 1 && all_good(axis, numbers, 4)
            && axis->rapid <= axis->v_max && axis->min_nm <= axis->max_nm
            && (axis->min_nm == free_below || place_good(axis, axis->min_nm))
            && (axis->max_nm == INT64_MAX || place_good(axis, axis->max_nm));
@@ -113,43 +127,52 @@ static int axes_good(const nck_machine_t *machine) {
 }
 
 static int numbers_good(const nck_machine_t *machine) {
-    static const nck_quantity_t quantity[] = {
-        NCK_QUANTITY_PERIOD, NCK_QUANTITY_SPEED, NCK_QUANTITY_ACCELERATION, NCK_QUANTITY_JERK,
-        NCK_QUANTITY_ERROR, NCK_QUANTITY_SIZE, NCK_QUANTITY_ERROR, NCK_QUANTITY_FEED,
-        NCK_QUANTITY_ROTATION, NCK_QUANTITY_ROTATION};
-    const double *const value[] = {
-        &machine->period_s, &machine->path.feed_max, &machine->path.a_max, &machine->path.j_max,
-        &machine->path.chord_error, &machine->path.tolerance, &machine->path.arc_radius,
-        &machine->dialect.feed_default, &machine->spindle.rpm_max,
-        &machine->spindle.a_max_rpm_s};
-    return all_good(quantity, value, 10);
+    static const number_t numbers[] = {
+        {AT(period_s), NCK_QUANTITY_PERIOD}, {AT(path.feed_max), NCK_QUANTITY_SPEED},
+        {AT(path.a_max), NCK_QUANTITY_ACCELERATION}, {AT(path.j_max), NCK_QUANTITY_JERK},
+        {AT(path.chord_error), NCK_QUANTITY_ERROR}, {AT(path.tolerance), NCK_QUANTITY_SIZE},
+        {AT(path.arc_radius), NCK_QUANTITY_ERROR}, {AT(dialect.feed_default), NCK_QUANTITY_FEED},
+        {AT(spindle.rpm_max), NCK_QUANTITY_ROTATION},
+        {AT(spindle.a_max_rpm_s), NCK_QUANTITY_ROTATION}
+    };
+    return all_good(machine, numbers, sizeof numbers / sizeof numbers[0])
+           && nck_within(machine->dialect.thread_pull, 0.0, 10.0)
+           && nck_within(machine->dialect.scale_unit, 0.0, 1.0);
 }
 
-static int path_good(const nck_machine_t *machine) {
+// Choices of one byte: none is beyond its last.
+static int bytes_good(const nck_machine_t *machine) {
+    static const struct {
+        uint16_t at;
+        uint8_t last;
+    } bytes[] = {
+        {AT(roams), 1}, {AT(firmware), NCK_FIRMWARE_REPRAP}, {AT(dialect.diameter), 1},
+        {AT(dialect.inch), 1}, {AT(dialect.arc_absolute), 1}, {AT(dialect.block_skip), 1},
+        {AT(dialect.optional_stop), 1}, {AT(dialect.system), NCK_SYSTEM_C},
+        {AT(dialect.feed), NCK_FEED_START_REV}, {AT(dialect.d_offset), NCK_D_DIAMETER},
+        {AT(dialect.probe), NCK_PROBE_TOUCHES}, {AT(dialect.integers), NCK_INTEGERS_INCREMENTS},
+        {AT(dialect.comp_start), NCK_COMP_START_B}
+    };
+    unsigned k = 0;
+    while (k < sizeof bytes / sizeof bytes[0]
+           && ((const uint8_t *)machine)[bytes[k].at] <= bytes[k].last) {
+        k++;
+    }
+    return k == sizeof bytes / sizeof bytes[0];
+}
+
+static int choices_good(const nck_machine_t *machine) {
     return machine->slope <= NCK_SLOPE_OPTIMAL && machine->lookahead_blocks <= NCK_WINDOW
-           && machine->lookahead_blocks != 1;
+           && machine->lookahead_blocks != 1 && machine->dialect.base <= NCK_DIALECT_GRBLHAL
+           && machine->dialect.plane >= 17 && machine->dialect.plane <= 19
+           && machine->dialect.skip_switches >> SWITCHES == 0
+           && !(machine->dialect.skip_switches & 1u) && machine->work_system < NCK_WORK_SYSTEMS
+           && machine->home_more >> (NCK_HOMES - 2) == 0 && machine->spindle_waits <= 1;
 }
 
 static int is_slope_built(const nck_machine_t *machine) {
     return machine->slope == NCK_SLOPE_LINEAR || (machine->slope == NCK_SLOPE_JERK && NCK_HAS_JERK)
            || (machine->slope == NCK_SLOPE_OPTIMAL && NCK_HAS_OPTIMAL);
-}
-
-static int dialect_good(const nck_machine_t *machine) {
-    return machine->dialect.base <= NCK_DIALECT_GRBLHAL && machine->dialect.diameter <= 1
-           && machine->dialect.inch <= 1 && machine->dialect.arc_absolute <= 1
-           && machine->dialect.plane >= 17 && machine->dialect.plane <= 19
-           && machine->dialect.block_skip <= 1 && machine->dialect.optional_stop <= 1
-           && machine->work_system < NCK_WORK_SYSTEMS;
-}
-
-// What a language leaves open.
-static int choices_good(const nck_machine_t *machine) {
-    return machine->dialect.system <= NCK_SYSTEM_C && machine->dialect.feed <= NCK_FEED_START_REV
-           && machine->dialect.d_offset <= NCK_D_DIAMETER
-           && machine->dialect.probe <= NCK_PROBE_TOUCHES
-           && machine->dialect.integers <= NCK_INTEGERS_INCREMENTS
-           && machine->dialect.comp_start <= NCK_COMP_START_B;
 }
 
 static int approach_good(const nck_machine_t *machine) {
@@ -159,13 +182,6 @@ static int approach_good(const nck_machine_t *machine) {
     const int in_travel = height_nm >= axis->min_nm && height_nm <= axis->max_nm;
     return good(NCK_QUANTITY_SPEED, machine->approach.feed) && !axis->rotary
            && (height_nm == INT64_MAX || (place_good(axis, height_nm) && in_travel));
-}
-
-static int dialect_numbers_good(const nck_machine_t *machine) {
-    return nck_within(machine->dialect.thread_pull, 0.0, 10.0)
-           && nck_within(machine->dialect.scale_unit, 0.0, 1.0)
-           && machine->dialect.skip_switches >> SWITCHES == 0
-           && !(machine->dialect.skip_switches & 1u);
 }
 
 int nck_machine_takes_tool(const nck_machine_t *machine, const nck_tool_t *tool) {
@@ -221,18 +237,10 @@ static int further_good(const nck_machine_t *machine) {
     return all;
 }
 
-static int tables_good(const nck_machine_t *machine) {
-    return tools_good(machine) && own_good(machine) && further_good(machine)
-           && machine->home_more >> (NCK_HOMES - 2) == 0 && machine->roams <= 1
-           && machine->firmware <= NCK_FIRMWARE_REPRAP
-           && machine->spindle_waits <= 1;
-}
-
 nck_status_t nck_machine_check(const nck_machine_t *machine) {
-    const int all = numbers_good(machine) && axes_good(machine) && path_good(machine)
-                    && dialect_good(machine) && choices_good(machine)
-                    && dialect_numbers_good(machine) && tables_good(machine)
-                    && approach_good(machine);
+    const int all = numbers_good(machine) && axes_good(machine) && bytes_good(machine)
+                    && choices_good(machine) && tools_good(machine) && own_good(machine)
+                    && further_good(machine) && approach_good(machine);
     if (!all) return NCK_E_MACHINE;
     return is_slope_built(machine) ? NCK_OK : NCK_E_UNSUPPORTED;
 }

@@ -127,7 +127,7 @@ typedef struct nck_block {
     double surface;       // surface speed in force [mm/min]; 0: G97
     double spindle_x_mm;  // X of the spindle's axis, where the program's X is 0
     double tolerance_mm;  // G64 P in force, 0: none
-    double merge_mm;      // G64 Q in force, 0: none
+    double merge_mm;      // G64 Q in force, 0: none; no room asks, the models of csrc/host do
     double dwell_s;       // NCK_BLOCK_DWELL
     nck_thread_t thread;  // NCK_BLOCK_THREAD
     nck_tap_t tap;        // NCK_BLOCK_TAP

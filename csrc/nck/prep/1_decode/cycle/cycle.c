@@ -164,7 +164,6 @@ static nck_status_t read_rest(nck_decode_t *self) {
     return status;
 }
 
-// What the cycle cannot do without. Fanuc's dwells are 0 until P is said.
 // The spindle of a tap turns as the cycle wants it, or in Fanuc's language it is told to. What it
 // has in a revolution is its lead.
 static nck_status_t read_lead(nck_decode_t *self) {
@@ -183,6 +182,7 @@ static nck_status_t read_lead(nck_decode_t *self) {
     return NCK_OK;
 }
 
+// What the cycle cannot do without. Fanuc's dwells are 0 until P is said.
 static nck_status_t check_rest(nck_decode_t *self) {
     nck_cycle_t *const cycle = &self->held.cycle;
     const int timed = (cycle->said & NCK_LETTER('P')) != 0;
