@@ -235,7 +235,7 @@ def bench(
     *, name: Subject = None, output: Figures = None, paths: Paths = None,
     live: Annotated[bool, typer.Option(
         "--live", help="Subject linuxcnc: in the LinuxCNC that is installed here.")] = False,
-    json_: Json = False, quiet: Quiet = False,
+    json_: Json = False,
 ):  # fmt: skip
     """Print one table of a benchmark, in a checkout; some subjects draw figures too."""
     bench = of_tree("pycnc.bench")
@@ -250,7 +250,7 @@ def bench(
 
 
 @verb(machines, "machine list")
-def list_(*, json_: Json = False, quiet: Quiet = False):
+def list_(*, json_: Json = False):
     """List the machines that come with pycnc."""
     from pycnc.machine import Machine, shipped
 
