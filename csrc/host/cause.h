@@ -4,7 +4,7 @@
 #define NCK_HOST_CAUSE_H
 
 #include "nck/base/limits.h"  // NCK_AXIS_MAX
-#include "nck/base/records.h" // nck_limit_t
+#include "nck/base/records.h" // NCK_LIMIT_AXIS_V
 
 #ifdef __cplusplus
 extern "C" {

@@ -7,7 +7,7 @@
 
 #include <string.h> // memmove memset
 
-#include "nck/base/real.h" // nck_max nck_min nck_sqrt
+#include "nck/base/real.h" // nck_min
 
 // Marlin ends no slower [mm²/s²].
 #define END_MARLIN 0.0025

@@ -6,7 +6,7 @@
 
 #include "host/unit.h"              // nck_grade_rule_t
 #include "nck/base/envelope_math.h" // nck_envelope_h
-#include "nck/base/real.h"          // nck_real nck_sqrt nck_floor
+#include "nck/base/real.h"          // nck_real nck_floor
 
 // Length of a planning unit: n steps at the command velocity,   L = n·v_c·T
 // (Cao et al. 2014, eq. 10; theirs is in m/min).

@@ -10,7 +10,7 @@
 #ifndef NCK_HOST_SSHAPE_MATH_H
 #define NCK_HOST_SSHAPE_MATH_H
 
-#include "nck/base/real.h" // nck_real nck_sqrt nck_min nck_max
+#include "nck/base/real.h" // nck_real nck_sqrt nck_min
 
 // Newton steps at most: far from the root a step takes off a third, near it doubles the digits.
 #define NCK_SSHAPE_STEPS 100

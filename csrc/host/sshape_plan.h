@@ -13,7 +13,7 @@
 
 #include <stddef.h> // size_t
 
-#include "host/sshape.h"      // nck_host_path_t
+#include "host/sshape.h"      // NCK_HOST_SLOPE_CELLS
 #include "nck/base/records.h" // nck_node_t nck_cell_t
 #include "nck/base/status.h"  // nck_status_t
 

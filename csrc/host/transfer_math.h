@@ -4,7 +4,7 @@
 #define NCK_HOST_TRANSFER_MATH_H
 
 #include "host/unit.h"        // nck_grade_rule_t
-#include "nck/base/real.h"    // nck_real nck_sqrt nck_fabs
+#include "nck/base/real.h"    // nck_real nck_fabs
 #include "nck/base/records.h" // nck_seg_t
 
 // Direction cosines of a seg at its start (end = 0) or end (end = 1), over all axes.

@@ -5,7 +5,6 @@
 #include <stddef.h> // offsetof
 #include <string.h> // memset
 
-#include "nck/base/motion_math.h" // nck_motion_row
 #include "nck/base/motion_rows.h" // nck_motion_assemble
 
 // What a step does next. A window goes BEGIN, SEED …, then round by round ASSEMBLE …, SOLVE,

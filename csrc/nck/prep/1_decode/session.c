@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A session: how it begins, what it is told between lines, and what of it is dropped. decode.c has
 // what it makes of a line.
-#include "nck/base/in_force.h" // nck_force_t
+#include "nck/base/in_force.h" // NCK_FORCE_…
 #include "nck/prep/1_decode/decode.h"
 #include "nck/prep/1_decode/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_spline_break

@@ -5,7 +5,7 @@
 #include "nck/prep/2_toolcomp/parts.h"
 
 #include "nck/base/arc_math.h" // NCK_PI
-#include "nck/base/real.h"     // nck_min nck_max nck_fabs
+#include "nck/base/real.h"     // nck_min nck_max
 
 enum { PLACES = 8 }; // of a piece are looked at
 #define NEAR 4.0  // radii of contour about a place: what is met there explains what the path meets

@@ -5,7 +5,7 @@
 #include <string.h> // memcpy
 
 #include "nck/base/arc_math.h" // nck_arc_…
-#include "nck/base/real.h"     // nck_floor nck_fabs nck_rounded
+#include "nck/base/real.h"     // nck_floor nck_rounded
 
 #define PER_MINUTE 60.0 // seconds
 

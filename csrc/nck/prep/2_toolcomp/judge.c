@@ -6,7 +6,7 @@
 #include <string.h> // memset
 
 #include "nck/base/arc_math.h" // nck_arc_norm
-#include "nck/base/real.h"     // nck_min nck_max nck_fabs
+#include "nck/base/real.h"     // nck_min nck_max
 
 enum { PLACES = 8 }; // of a piece are looked at
 #define CLEAR 1e-5 // [mm] a tool that is nearer does not fit

@@ -4,8 +4,8 @@
 
 #include <string.h> // memcpy memset
 
-#include "nck/base/arc_math.h" // nck_arc_inner nck_arc_norm nck_arc_angle NCK_PI …
-#include "nck/base/real.h"     // nck_sqrt nck_fabs nck_min nck_max nck_floor
+#include "nck/base/arc_math.h" // nck_arc_inner nck_arc_norm NCK_PI …
+#include "nck/base/real.h"     // nck_sqrt nck_fabs nck_min nck_floor
 
 #define ROUNDING 1e-6  // [mm] a place so little before the beginning, or behind the end, is on it
 #define PARALLEL 1e-12 // sine of the angle between lines that do not cross

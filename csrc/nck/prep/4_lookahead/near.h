@@ -30,7 +30,7 @@ static inline void nck_near_set_out(nck_junction_t *junction, double w_in) {
                               w_in + 2.0 * junction->a_most * junction->length);
 }
 
-// Settle the next junction's speeds and limits, as nck_lookahead_may_settle allows. Cost: constant.
+// Settle the next junction's speeds and limits, as nck_lookahead_step has it. Cost: constant.
 static inline void nck_near_settle(nck_lookahead_t *self) {
     const uint32_t count = self->junction.settled;
     const double w_in = self->terms->limits_jerk ? nck_near_entered_at(self, count) : 0.0;

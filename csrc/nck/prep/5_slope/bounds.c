@@ -5,7 +5,7 @@
 #include <stddef.h> // NULL
 
 #include "nck/base/real.h"              // nck_min nck_max
-#include "nck/prep/5_slope/brake.h"     // nck_brake_along nck_brake_left nck_brake_relax
+#include "nck/prep/5_slope/brake.h"     // nck_brake_along nck_brake_relax
 #include "nck/prep/5_slope/hull_math.h" // nck_hull_share
 #include "nck/prep/5_slope/window.h"    // nck_window_…
 

@@ -11,7 +11,7 @@
 #include "nck/base/path_math.h" // nck_path_point
 #include "nck/base/real.h"      // nck_floor
 #include "nck/base/spin_math.h" // nck_spin_rpm
-#include "nck/tick/6_interpolate/ease.h" // nck_ease_begin nck_ease_brake
+#include "nck/tick/6_interpolate/ease.h" // nck_ease_begin
 
 // A brake follows the plan as long as it is slower by no more than rounding has made it.
 #define FOLLOWS_EPSILON 1e-6

@@ -7,7 +7,7 @@
 
 #include "nck/base/fence.h" // nck_fence_load
 #include "nck/base/path.h"  // nck_path_tangent nck_path_second nck_path_third
-#include "nck/base/real.h"  // nck_min nck_max nck_sqrt nck_fabs
+#include "nck/base/real.h"  // nck_min nck_max nck_fabs
 
 // Of an axis' jerk, what braking in a bend may take: the rest is left to change the braking …
 #define BEND_SHARE 0.8

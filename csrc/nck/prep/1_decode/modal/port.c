@@ -2,7 +2,7 @@
 // Outputs and inputs of RS274NGC: M62 … M68. They are handed over in their place in the program.
 #include "nck/prep/1_decode/modal/modal.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail_step nck_decode_fail_word …
-#include "nck/prep/1_decode/number/number.h" // nck_decode_whole nck_number_real
+#include "nck/prep/1_decode/number/number.h" // nck_decode_whole
 
 enum {
     PORT_MOST = 63, ANALOGUE_MOST = 15, WAIT_KINDS = 4, PER_KIND = 100, PER_ANALOGUE = 1000

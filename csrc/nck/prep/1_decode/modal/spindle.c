@@ -2,7 +2,7 @@
 // The spindle's speed: in revolutions (G97) or as a surface speed (G96), and its most.
 #include "nck/prep/1_decode/modal/modal.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail_step nck_decode_fail_word …
-#include "nck/prep/1_decode/number/number.h" // nck_number_real
+#include "nck/prep/1_decode/number/number.h" // nck_word_real
 #include "nck/base/trig_math.h" // NCK_PI
 #include "nck/base/spin_math.h" // nck_spin_rpm
 

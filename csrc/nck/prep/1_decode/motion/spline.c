@@ -6,7 +6,7 @@
 #include "nck/prep/1_decode/state/state.h" // nck_decode_assume nck_decode_block …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_length_word nck_decode_letter …
 #include "nck/prep/1_decode/place/place.h" // nck_decode_target nck_layout_way
-#include "nck/base/real.h" // nck_floor nck_min nck_max nck_sqrt nck_fabs nck_rounded
+#include "nck/base/real.h" // nck_floor nck_min nck_max nck_sqrt nck_rounded
 
 #include <string.h> // memcpy memset
 

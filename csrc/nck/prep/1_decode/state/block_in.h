@@ -4,7 +4,6 @@
 #define NCK_PREP_DECODE_STATE_BLOCK_IN_H
 
 #include "nck/base/limits.h"  // NCK_AXIS_MAX
-#include "nck/base/records.h" // nck_path_mode_t nck_feed_mode_t
 
 // What a pushed block does, after it has set what it sets.
 typedef enum nck_in_kind {

@@ -7,7 +7,7 @@
 #include <stddef.h> // size_t
 #include <stdint.h> // uint32_t
 
-#include "nck/base/limits.h" // NCK_VARIABLES NCK_CALL_DEPTH
+#include "nck/base/limits.h" // NCK_FRAME_ROWS NCK_LABEL_ROWS
 #include "nck/base/source.h" // nck_source_t
 
 // Bounds of what is remembered, and of patience.

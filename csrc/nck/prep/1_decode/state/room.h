@@ -11,7 +11,7 @@
 #include "nck/prep/1_decode/state/corner.h" // nck_corner_t
 #include "nck/prep/1_decode/state/cycle.h" // nck_cycle_t
 #include "nck/prep/1_decode/state/layout.h" // nck_layout_t
-#include "nck/prep/1_decode/state/macro.h" // nck_macro_t nck_source_t
+#include "nck/prep/1_decode/state/macro.h" // nck_macro_t
 #include "nck/prep/1_decode/state/modes.h" // nck_modes_t nck_states_t
 #include "nck/prep/1_decode/state/screw.h" // nck_screw_t
 #include "nck/prep/1_decode/state/session.h" // nck_session_t

@@ -9,8 +9,6 @@
 
 #include <stdint.h> // int64_t uint8_t
 
-#include "nck/base/limits.h" // NCK_AXIS_MAX
-
 // The room, room.h.
 struct nck_decode;
 
