@@ -329,6 +329,7 @@ static nck_status_t finish(nck_motion_t *self) {
         self->mended++;
         self->most = self->found;
         lower_mu(self, self->gone);
+        self->step = 0; // rows that are nearly met have to give way all the same
         self->phase = ASSEMBLE;
         clear_system(self);
         return NCK_OK;
