@@ -296,7 +296,7 @@ uint32_t nck_optimal_price(const nck_optimal_t *self) {
     case PHASE_LAY: return 0;
     case PHASE_FILL: return 10;
     case PHASE_SOLVE: return nck_motion_price(&self->motion);
-    default: return 7;
+    default: return 9;
     }
 }
 

@@ -74,7 +74,7 @@ void nck_optimal_begin(nck_optimal_t *self, const nck_job_t *job);
 
 // One bounded piece of work. Returns NCK_OK (call again), NCK_EMPTY (needs pieces), NCK_DONE (the
 // plan stands in the link's built tail), NCK_E_STATE (no plan joins here). Cost: a step of
-// nck_motion_step, 4 nodes or the cells of 4 intervals. Context: prep.
+// nck_motion_step, 4 nodes or up to 39 cells. Context: prep.
 nck_status_t nck_optimal_step(nck_optimal_t *self, const nck_pieces_t *pieces);
 
 // What the next step takes at most, in thousands of a PC's instructions; 0: it may wait for pieces.

@@ -7,7 +7,9 @@
 #include "nck/base/real.h" // nck_fabs nck_min nck_max nck_sqrt
 #include "nck/prep/5_slope/optimal_pace.h" // nck_optimal_work …
 
-enum { PARTS_MOST = 4 }; // cells of half an interval
+// Cells of half an interval: that many where a slower feed begins. With 4 a jerk is passed by 1.5 %
+// in the worst of 600 programs whose overrides come down, with 8 by 0.4 %.
+enum { PARTS_MOST = 16 };
 // Of an axis' jerk, what a cell may be off its plan by.
 #define CELL_SHARE 0.003
 
@@ -164,7 +166,8 @@ static void finish(nck_optimal_t *self) {
 nck_status_t nck_optimal_draw(nck_optimal_t *self, const nck_pieces_t *pieces) {
     if (!NCK_HAS_OPTIMAL) return NCK_E_INTERNAL;
     const nck_optimal_pace_t *const work = nck_optimal_work(self);
-    for (int n = 0; n < NCK_OPTIMAL_DRAW && self->i < work->n; n++) {
+    const uint32_t most = self->cells + NCK_OPTIMAL_DRAW;
+    while (self->i < work->n && self->cells < most) {
         draw_interval(self, nck_plan_there(pieces, work->first + self->i), self->i);
         self->i++;
     }

@@ -9,7 +9,7 @@
 enum {
     NCK_OPTIMAL_GIVEN = 2, // nodes that a plan takes over from the one before
     NCK_OPTIMAL_FILL = 4, // nodes filled in one bounded step
-    NCK_OPTIMAL_DRAW = 4  // the same of intervals drawn: up to eight cells each
+    NCK_OPTIMAL_DRAW = 8  // cells drawn, and what is left of an interval: up to 32
 };
 // A plan that keeps within so much of the caps needs no price.
 #define NCK_OPTIMAL_NOT_SLOWER 0.999
