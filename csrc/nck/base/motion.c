@@ -251,10 +251,11 @@ static void begin_rounds(nck_motion_t *self) {
         self->on_cell[k + 1] = (nck_num)is_cell;
     }
     self->time = time_of(self);
-    self->mu_was = MU_FIRST * self->time / (nck_num)self->rows;
+    const nck_num all = self->time + nck_motion_price_of_start(self);
+    self->mu_was = MU_FIRST * all / (nck_num)self->rows;
     self->slack_per = NCK_NUM_OF(1) / self->mu_was;
     self->most = NCK_NUM_OF(1) + NCK_NUM_OF(2) * BROKEN; // for all that is known
-    lower_mu(self, MU_FIRST * self->time);
+    lower_mu(self, MU_FIRST * all);
     clear_system(self);
 }
 
@@ -328,8 +329,8 @@ static nck_status_t finish(nck_motion_t *self) {
     if (may_mend && is_met(self) && self->found > NCK_NUM_OF(1) + MENDED) {
         self->mended++;
         self->most = self->found;
-        lower_mu(self, self->gone);
         self->step = 0; // rows that are nearly met have to give way all the same
+        lower_mu(self, self->gone);
         self->phase = ASSEMBLE;
         clear_system(self);
         return NCK_OK;

@@ -87,7 +87,7 @@ typedef struct nck_motion_wish {
     int most;               // iterations at most
     double gap;             // how much of the time may be lost, as a share: 1e-7 … 1
     double room;            // what a broken row's slack begins with: 0.3, small near a good start
-    double price;           // SOFT: of a second beyond a cap by itself [s/s]
+    double price;           // SOFT: of being beyond a cap, in halves of the time that it wins
 } nck_motion_wish_t;
 
 // What has come out.

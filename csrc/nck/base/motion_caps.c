@@ -40,6 +40,13 @@ int nck_motion_is_soft(const nck_motion_t *self, int k) {
     return (self->wish.ends & NCK_MOTION_SOFT) && !is_firm;
 }
 
+// What a cap's unit costs, over τ: price/c^(3/2) for each 1 of b beyond the cap c. By itself it wins
+// half of 1/c^(3/2): a cell lasts τ/√b.
+static nck_num price_of(const nck_motion_t *self, int k) {
+    const nck_num cap = self->cap[k + 1];
+    return self->price / (self->scale[k + 1] * cap * NCK_NUM_SQRT(cap));
+}
+
 static void seed_cap(nck_motion_t *self, int k) {
     const nck_num room = (self->cap[k + 1] - self->b[k + 1]) * self->scale[k + 1];
     const nck_num slack = nck_num_max(room, self->room);
@@ -48,9 +55,9 @@ static void seed_cap(nck_motion_t *self, int k) {
         self->work->cap_z[k + 1] = z;
         return;
     }
-    const nck_num half = NCK_NUM_OF(0.5) * self->price;
+    const nck_num half = NCK_NUM_OF(0.5) * price_of(self, k);
     self->work->cap_z[k + 1] = z < half ? z : half;
-    self->work->cap_y[k + 1] = self->price - self->work->cap_z[k + 1];
+    self->work->cap_y[k + 1] = NCK_NUM_OF(2) * half - self->work->cap_z[k + 1];
     self->work->excess[k + 1] = nck_num_max(slack - room, self->mu_was / self->work->cap_y[k + 1]);
     self->work->slack[k + 1] = room + self->work->excess[k + 1];
 }
@@ -74,7 +81,7 @@ static void assemble_soft_cap(nck_motion_t *self, int k) {
     self->work->g[k + 1] += scale * (cap.z + cap.weight * (apart - cap.room));
     self->work->h0[k + 1] += scale * scale * cap.weight;
     self->sums.gone[0] += cap.s * cap.z + cap.e * cap.y;
-    self->sums.paid[0] += self->price * cap.e;
+    self->sums.paid[0] += (cap.z + cap.y) * cap.e;
 }
 
 static void direct_cap(nck_motion_t *self, int k) {
@@ -94,10 +101,11 @@ static void renew_soft_cap(nck_motion_t *self, int k, nck_num dz) {
     nck_num *const cap_y = &self->work->cap_y[k + 1];
     const nck_num z = *cap_z;
     const nck_num y = *cap_y;
+    const nck_num price = z + y;
     *cap_z = nck_num_max(z + dz, NCK_MOTION_KEPT * z);
     *cap_y = nck_num_max(y - dz, NCK_MOTION_KEPT * y);
-    if (z + dz < NCK_MOTION_KEPT * z) *cap_y = self->price - *cap_z;
-    if (y - dz < NCK_MOTION_KEPT * y) *cap_z = self->price - *cap_y;
+    if (z + dz < NCK_MOTION_KEPT * z) *cap_y = price - *cap_z;
+    if (y - dz < NCK_MOTION_KEPT * y) *cap_z = price - *cap_y;
     self->sums.back[0] = nck_num_max(self->sums.back[0],
                                 nck_num_max(-dz - NCK_NUM_OF(2) * z, dz - NCK_NUM_OF(2) * y));
 }
@@ -120,6 +128,14 @@ static int has_cap(const nck_motion_t *self, int k) {
     return k >= self->cap_low && k <= self->high;
 }
 
+nck_num nck_motion_price_of_start(const nck_motion_t *self) {
+    nck_num sum = 0;
+    for (int k = self->cap_low; k <= self->high; k++) {
+        const nck_num excess = (self->b[k + 1] - self->cap[k + 1]) * self->scale[k + 1];
+        if (nck_motion_is_soft(self, k) && excess > 0) sum += price_of(self, k) * excess;
+    }
+    return sum;
+}
 
 void nck_motion_seed_caps(nck_motion_t *self, int first) {
     for (int k = first; k < first + NCK_MOTION_LANES; k++) {

@@ -73,6 +73,9 @@ void nck_motion_direct(nck_motion_t *self, int chunk);
 // Whether a node's cap may be broken at a price.
 int nck_motion_is_soft(const nck_motion_t *self, int k);
 
+// What the start has to pay for being beyond caps.
+nck_num nck_motion_price_of_start(const nck_motion_t *self);
+
 // The same of the caps of nodes first … first + NCK_MOTION_LANES − 1.
 void nck_motion_seed_caps(nck_motion_t *self, int first);
 void nck_motion_assemble_caps(nck_motion_t *self, int first);

@@ -57,7 +57,7 @@ typedef struct nck_optimal {
     uint32_t takes_over;   // … the second half of this interval
     double j_least;        // of any axis' jerk [mm/s³]
     double slower;         // the share that caps are lowered to of the speed now
-    double vv_floor;       // what they are raised to for one plan, v²
+    double vv_most;        // the most v² that is about to be
     uint8_t held_by[NCK_MOTION_NODES]; // nck_limit_t that caps a node
     nck_optimal_look_t looked[NCK_OPTIMAL_LOOKS];
     nck_optimal_pace_t pace[2];

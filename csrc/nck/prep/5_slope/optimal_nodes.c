@@ -330,9 +330,12 @@ void nck_optimal_fill(nck_optimal_t *self, const nck_pieces_t *pieces, uint32_t 
     for (int x = 0; x < self->terms->axes; x++) {
         work->along[k] += (float)first[x] * (float)first[x];
     }
-    if (nck_optimal_slows(self)) around.vv = nck_max(around.vv, self->vv_floor);
+    if (nck_optimal_slows(self)) around.vv = nck_max(around.vv, nck_optimal_floor(self, k));
     cap_and_b[0] = (nck_num)cap_of(self, first, &around, &self->held_by[k]);
     if (k + 1 == work->n && !work->ends) {
+        // It is firm: a lowered one would leave no start.
+        const double least = nck_optimal_slows(self) ? pace_guess(self, k, 0.0) : 0.0;
+        cap_and_b[0] = nck_num_max(cap_and_b[0], (nck_num)least);
         cap_and_b[0] = cap_at_end(self, seg, cap_and_b[0]);
     }
     cap_and_b[1] = (nck_num)pace_guess(self, k, (double)cap_and_b[0]);
