@@ -5,7 +5,8 @@
 #include "nck/base/motion_math.h" // nck_motion_jerk
 #include "nck/base/motion_rows.h" // nck_motion_shape
 
-enum { SPOTS = 3 };
+// Places of half a cell that are looked at, an eighth of a cell apart.
+enum { SPOTS = 5 };
 
 // The path at x · τ from a node, |x| ≤ 1/2: p₁ + p₂x/2 + δx²/4, p₂ + δx.
 static inline nck_motion_ways_t ways_at(const nck_motion_path_t *restrict path, nck_num x, int k) {
@@ -16,53 +17,79 @@ static inline nck_motion_ways_t ways_at(const nck_motion_path_t *restrict path, 
     return ways;
 }
 
+// What is taken of an acceleration at places of half a cell, signed.
+typedef struct taken {
+    nck_motion_lanes_t a[SPOTS];
+} taken_t;
+
 // The largest shares of limits that are taken in a half cell of each lane: of a and j, of v.
 typedef struct side {
     nck_motion_lanes_t most, fastest;
 } side_t;
 
-// What a path takes at x · τ from a node. The motion has β + αx, γ + βx + αx²/2.
-static inline void check_ways(side_t *restrict side, const nck_motion_shape_t *restrict b,
-                              nck_motion_ways_t at, const nck_num *restrict ratios, nck_num x,
-                              int k) {
+// What a path takes at a place, x · τ from a node. The motion has β + αx, γ + βx + αx²/2.
+static inline void check_ways(taken_t *restrict taken, side_t *restrict side,
+                              const nck_motion_shape_t *restrict b, nck_motion_ways_t at,
+                              const nck_num *restrict ratios, int spot, nck_num x, int k) {
     const nck_num half = NCK_NUM_OF(0.5) * x;
     const nck_num slope = b->slope[k] + x * b->bend[0][k];
     const nck_num level = b->level[k] + x * (b->slope[k] + half * b->bend[0][k]);
     const nck_num v = NCK_NUM_SQRT(nck_num_max(level, 0));
     const nck_num jerk = nck_motion_jerk(at.p1 * b->bend[0][k], at.p2 * slope, at.turn[0] * level);
-    const nck_num a = nck_motion_acceleration(at.p1, at.p2, slope, level);
-    const nck_num share = nck_num_max(NCK_NUM_ABS(a), NCK_NUM_ABS(ratios[0] * v * jerk));
-    side->most[k] = nck_num_max(side->most[k], share);
+    taken->a[spot][k] = nck_motion_acceleration(at.p1, at.p2, slope, level);
+    if (spot + 1 < SPOTS) { // a row stands at the last one
+        side->most[k] = nck_num_max(side->most[k], NCK_NUM_ABS(ratios[0] * v * jerk));
+    }
     side->fastest[k] = nck_num_max(side->fastest[k], NCK_NUM_ABS(ratios[1] * v * at.p1));
 }
 
-// Of an axis, at a distance x from each node.
-static void check_at(side_t *restrict side, const nck_motion_shape_t *restrict b,
-                     const nck_motion_path_t *restrict path, const nck_num *restrict ratios,
-                     nck_num x) {
-    for (int k = 0; k < NCK_MOTION_LANES; k++) {
-        check_ways(side, b, ways_at(path, x, k), ratios, x, k);
+// The largest of three values, or of the parabola through them where that has its vertex between.
+static inline nck_num most_of_three(nck_num f0, nck_num f1, nck_num f2) {
+    const nck_num rise = f2 - f0;
+    const nck_num bend = f0 - NCK_NUM_OF(2) * f1 + f2;
+    const nck_num ends = nck_num_max(NCK_NUM_ABS(f0), NCK_NUM_ABS(f2));
+    const nck_num most = nck_num_max(ends, NCK_NUM_ABS(f1));
+    if (!(NCK_NUM_OF(2) * NCK_NUM_ABS(bend) > NCK_NUM_ABS(rise))) return most;
+    return nck_num_max(most, NCK_NUM_ABS(f1 - rise * rise / (NCK_NUM_OF(8) * bend)));
+}
+
+// An acceleration is a cubic: where b turns sharply it is up to 2.5 % larger than at its places.
+static void note_most(const taken_t *restrict taken, side_t *restrict side) {
+    const nck_motion_lanes_t *const at = taken->a;
+    for (int n = 0; n + 2 < SPOTS; n += 2) {
+        for (int k = 0; k < NCK_MOTION_LANES; k++) {
+            const nck_num a = most_of_three(at[n][k], at[n + 1][k], at[n + 2][k]);
+            side->most[k] = nck_num_max(side->most[k], a);
+        }
     }
 }
 
-// The node and three spots in either half cell, before it and behind it: an extreme of the jerk, a
-// parabola but for the root, is no more than 1/16 of a cell from one of them or from a row.
+// From the node on: how far a place is, as a share of a cell; way: −1 before the node, 1 behind it.
+static inline nck_num place_of(int spot, int way) {
+    return NCK_NUM_OF(0.125) * (nck_num)(way * spot);
+}
+
 static void check_axis(const nck_motion_t *self, int chunk, int axis, side_t sides[2]) {
     const nck_num ratios[2] = {self->ratio[axis], self->speed[axis]};
     nck_motion_shape_t shape;
     nck_motion_path_t path;
+    taken_t taken;
     nck_motion_shape(&self->b[chunk * NCK_MOTION_LANES + 1], 0, &shape);
     nck_motion_path(self, chunk, axis, 0, &path);
-    for (int spot = 0; spot <= SPOTS; spot++) {
-        const nck_num x = NCK_NUM_OF(0.125) * (nck_num)spot;
-        check_at(&sides[0], &shape, &path, ratios, -x);
-        check_at(&sides[1], &shape, &path, ratios, x);
+    for (int side = 0; side < 2; side++) {
+        for (int spot = 0; spot < SPOTS; spot++) {
+            const nck_num x = place_of(spot, 2 * side - 1);
+            for (int k = 0; k < NCK_MOTION_LANES; k++) {
+                check_ways(&taken, &sides[side], &shape, ways_at(&path, x, k), ratios, spot, x, k);
+            }
+        }
+        note_most(&taken, &sides[side]);
     }
 }
 
 // Of the path, at a distance x from each node: its direction there, not that at the node.
 static void check_path_at(const nck_motion_t *self, int chunk, const nck_motion_shape_t *shape,
-                          nck_num x, side_t *side) {
+                          int spot, nck_num x, taken_t *taken, side_t *side) {
     const nck_num ratios[2] = {self->ratio[NCK_MOTION_ALONG], 0};
     nck_motion_dots_t dots[NCK_MOTION_LANES];
     nck_motion_path_t path;
@@ -74,17 +101,20 @@ static void check_path_at(const nck_motion_t *self, int chunk, const nck_motion_
         }
     }
     for (int k = 0; k < NCK_MOTION_LANES; k++) {
-        check_ways(side, shape, nck_motion_along(&dots[k]), ratios, x, k);
+        check_ways(taken, side, shape, nck_motion_along(&dots[k]), ratios, spot, x, k);
     }
 }
 
 static void check_path(const nck_motion_t *self, int chunk, side_t sides[2]) {
     nck_motion_shape_t shape;
+    taken_t taken;
     nck_motion_shape(&self->b[chunk * NCK_MOTION_LANES + 1], 0, &shape);
-    for (int spot = 0; spot <= SPOTS; spot++) {
-        const nck_num x = NCK_NUM_OF(0.125) * (nck_num)spot;
-        check_path_at(self, chunk, &shape, -x, &sides[0]);
-        check_path_at(self, chunk, &shape, x, &sides[1]);
+    for (int side = 0; side < 2; side++) {
+        for (int spot = 0; spot < SPOTS; spot++) {
+            const nck_num x = place_of(spot, 2 * side - 1);
+            check_path_at(self, chunk, &shape, spot, x, &taken, &sides[side]);
+        }
+        note_most(&taken, &sides[side]);
     }
 }
 
