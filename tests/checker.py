@@ -39,6 +39,7 @@ COORDINATE_MM = 1e-7  # between a path coordinate and the pose it belongs to
 BACKWARD_MM = 1e-9  # steps back that are rounding
 ORDERS = ("speed", "acceleration", "jerk")
 SUMS = (2, 4, 8)  # of the absolute coefficients of the differences
+SPREAD = (1 / 12, 1 / 6, 1 / 4)  # the variance of their weights, in periods²
 SETTLED = 24  # ticks in a block after which no output filter mixes in what came before
 ANSWER_S = 0.2  # to a command, before braking begins
 # The mean over four periods, which the jerk-limited slope hands out, raises the speed at a kink of
@@ -52,6 +53,12 @@ def _units(ways):
     """Return the directions of ways; of none, zero."""
     size = np.linalg.norm(ways, axis=1, keepdims=True)
     return np.divide(ways, size, out=np.zeros_like(ways), where=size > STANDS_MM)
+
+
+def _changes(rate):
+    """Return by how much rates change from or to the next one."""
+    change = np.linalg.norm(np.diff(rate, axis=0), axis=1)
+    return np.maximum(np.append(change, 0.0), np.insert(change, 0, 0.0))
 
 
 class PhysicsError(AssertionError):
@@ -287,8 +294,9 @@ class Checker:
         """What of acceleration and jerk lies along a clocked path keeps to the path's own limits.
 
         The direction is that of the chord over the same poses: where it turns by the angle φ within
-        them, what lies across leaks in by φ²/8 at most. A step is a chord, too, shorter than its
-        way by φ²/24: that much may come and go from one to the next.
+        them, what lies across leaks in by φ²/8 at most, and what that changes by in a period by φ
+        times the variance of a difference's weights. A step is a chord, too, shorter than its way
+        by φ²/24: that much may come and go from one to the next.
         """
         limits, track = self._limits, np.concatenate([self._poses, poses])
         here = np.concatenate([self._clocked_before, clocked])
@@ -303,6 +311,7 @@ class Checker:
             turn = np.linalg.norm(_units(step[order:]) - _units(step[:-order]), axis=1)
             noise = SUMS[order] * ROUNDING * np.abs(poses).max() / limits.period_s ** (order + 1)
             more = noise + turn**2 / 8 * np.linalg.norm(rate, axis=1)
+            more += turn * SPREAD[order] * _changes(rate)
             way = np.linalg.norm(step, axis=1)
             short = np.maximum(way[order:], way[:-order]) * (turn / order) ** 2 / 24
             more += order * short / limits.period_s ** (order + 1)
