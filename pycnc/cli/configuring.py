@@ -92,22 +92,14 @@ def import_(
     Units are converted; each value has the line that it comes from as its comment, and every line
     that nothing is made of stands at the end. Files that it includes are read.
     """
-    from pycnc.machine import Machine, MachineFileError, importer, source
+    from pycnc.machine import imported, source
 
     name, data = read(file, "give a file with the configuration of a control")
     folder = None if file == "-" else Path(file).parent
     deviation = None if junction_deviation is None else Decimal(str(junction_deviation))
-    found = importer.read(
-        source.decode(data), Path(name).name, folder, units and units.value, deviation
+    found, text = imported(
+        source.decode(data), name, folder, units and units.value, deviation
     )
-    if found.problems:
-        raise MachineFileError(name, found.problems)
-    head = [f"Imported from {Path(name).name}. Check every line: a file cannot tell all of it."]
-    text = found.text(head)
-    try:
-        Machine.from_text(text, name=name)
-    except MachineFileError as cause:
-        raise MachineFileError(name, found.sourced(cause.problems)) from None
     if not quiet:
         for words in found.left:
             fail(f"{name}: note[not-imported]: {words}")

@@ -140,6 +140,9 @@ def machine_of(
     changes += [f"dialect.from_line={from_line}"] if from_line else []
     changes += [f"dialect.programs={programs}"] if programs else []
     machine = Machine.load(name, set=changes, tools=tools, dialect=dialect and dialect.value)
+    if not quiet:
+        for words in machine.not_imported:
+            fail(f"{machine.file}: note[not-imported]: {words}")
     if zero is not None:
         from pycnc.program import zero as zeros
 

@@ -105,7 +105,8 @@ Files = Annotated[list[str], typer.Argument(metavar="FILE…", help="NC programs
 MachineName = Annotated[
     str,
     typer.Option(
-        "--machine", "-m", help="Name of a shipped machine, or a machine file.",
+        "--machine", "-m",
+        help="Name of a shipped machine, a machine file, or a control's own configuration.",
         autocompletion=machine_names,
     ),
 ]

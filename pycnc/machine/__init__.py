@@ -13,53 +13,15 @@ from pathlib import Path
 import numpy as np
 import pydantic
 
-from pycnc import errors, files
+from pycnc import files
 from pycnc.machine import control as controls
-from pycnc.machine import foreign, schema, tool_table
+from pycnc.machine import foreign, schema, source, tool_table
 from pycnc.kernel.bind import ffi, lib, pointer
 from pycnc.machine.inputs import switches_of
+from pycnc.machine.problems import MachineFileError
 from pycnc.machine.rows import base_number, rows_of
 from pycnc.machine.schema import AXES, MachineFile, position_key, unit_of
 from pycnc.names import DEFAULT  # noqa: F401
-
-
-class MachineFileError(errors.MachineError):
-    """A machine file has errors, all of them told at once.
-
-    Attributes
-    ----------
-    file : str
-        The file.
-    problems : list of (str, str)
-        Path to the key (``axis.x.v_max_mm_s``, empty for the whole file) and what is wrong.
-    places : list of str
-        Of every problem: the file, or the option that made it.
-    """
-
-    def __init__(self, file, problems, changes=(), own=()):
-        self.file, self.problems = file, problems
-        self.places = [
-            str(file) if problem in own else _place(file, problem[0], changes)
-            for problem in problems
-        ]
-        lines = (
-            f"{place}: error[machine]: {key + ': ' if key else ''}{message}"
-            for place, (key, message) in zip(self.places, problems, strict=True)
-        )
-        super().__init__("\n".join(lines), id="machine", status=lib.NCK_E_MACHINE)
-
-
-def _place(file, key, changes):
-    """Return what a problem of a key is to be blamed on: the change of the key or of one in its
-    table, else the file, with the changes that were made to it.
-
-    changes: (path to key, value, source), as they were made.
-    """
-    for changed, value, source in changes:
-        if changed == key or changed.startswith(f"{key}."):
-            return f"--set {changed}={value}" if source == "--set" else source
-    made = ", ".join(f"{name}={value}" for name, value, source in changes if source == "--set")
-    return f"{file} with --set {made}" if made else file
 
 
 def shipped():
@@ -88,6 +50,8 @@ class Machine:
         a default.
     changes : tuple of (str, value, str)
         What was changed behind the file: path to key, value, source.
+    not_imported : tuple of str
+        Of another control's configuration: what has to do with motion, and no equal here.
 
     Examples
     --------
@@ -98,7 +62,7 @@ class Machine:
 
     def __init__(self, data, *, name="machine", file="<machine>", text="", changes=()):
         self.name, self.file, self.text = name, str(file), text
-        self.changes = tuple(changes)
+        self.changes, self.not_imported = tuple(changes), ()
         self.sources = dict.fromkeys(_leaves(data), "file")
         self.sources |= {key: source for key, _, source in changes}
         self.settings, problems = _validate(data)
@@ -117,7 +81,8 @@ class Machine:
         Parameters
         ----------
         name : str, path or Machine
-            Name of a shipped machine, or a TOML file.
+            Name of a shipped machine, a TOML file, or another control's configuration, which is
+            imported.
         set : dict or iterable of str
             Changes: ``{"axis.x.max_mm": 500}`` or ``["axis.x.max_mm=500"]``.
         dialect : str, optional
@@ -133,9 +98,9 @@ class Machine:
         if isinstance(name, cls):
             if not (set or dialect or tools):
                 return name
-            stem, file, text = name.name, name.file, name.text
+            stem, file, text, told = name.name, name.file, name.text, name.not_imported
         else:
-            stem, file, text = _read(name)
+            stem, file, text, told = _read(name)
         data = _parse(text, file)
         noses = _noses_of(data)
         said = [*(_changes_of(name) if isinstance(name, cls) else ()), *_changes(set, dialect)]
@@ -145,7 +110,9 @@ class Machine:
             said = _turned(said, name.settings.dialect.base, base)
         changes = [*said, *(_turned(_tools_of(tools), "linuxcnc", base) if tools else ())]
         _apply_changes(data, [*_turned(noses, _base_of(_parse(text, file)), base), *changes])
-        return cls(data, name=stem, file=file, text=text, changes=changes)
+        machine = cls(data, name=stem, file=file, text=text, changes=changes)
+        machine.not_imported = told
+        return machine
 
     @classmethod
     def from_text(cls, text, name="machine"):
@@ -226,13 +193,17 @@ class Machine:
 
 
 def _read(name):
-    """Return (name, file, text) of a shipped machine or of a file."""
+    """Return (name, file, text, what an import left) of a shipped machine or of a file."""
     if str(name) in shipped():
         file = resources.files("pycnc") / "machines" / f"{name}.toml"
-        return str(name), str(file), file.read_text(encoding="utf-8")
+        return str(name), str(file), file.read_text(encoding="utf-8"), ()
     path = Path(name)
     try:
-        return path.stem, str(name), files.read(path, files.SETTINGS_MOST).decode("utf-8")
+        data = files.read(path, files.SETTINGS_MOST)
+        text = source.decode(data)
+        if foreign.kind_of(text) and not _is_toml(text):
+            return path.stem, str(name), *_as_it_is(text, path)
+        return path.stem, str(name), data.decode("utf-8"), ()
     except UnicodeDecodeError:
         raise MachineFileError(str(name), [("", "is no text in UTF-8")]) from None
     except (OSError, ValueError) as cause:
@@ -241,12 +212,59 @@ def _read(name):
         raise MachineFileError(str(name), [("", f"{reason}; shipped machines: {names}")]) from None
 
 
+def imported(text, file, folder=None, units=None, deviation=None):
+    """Return (draft, text) of the machine file that another control's configuration comes to.
+
+    Parameters
+    ----------
+    file : str
+        Its path; the rest as of `importer.read`.
+
+    Raises
+    ------
+    MachineFileError
+        If it comes to none, with the lines that are to blame.
+    """
+    from pycnc.machine import importer
+
+    name = Path(file).name
+    draft = importer.read(text, name, folder, units, deviation)
+    if draft.problems:
+        raise MachineFileError(file, draft.problems)
+    made = draft.text([f"Imported from {name}. Check every line: a file cannot tell all of it."])
+    try:
+        Machine.from_text(made, name=file)
+    except MachineFileError as cause:
+        raise MachineFileError(file, draft.sourced(cause.problems)) from None
+    return draft, made
+
+
+def _as_it_is(text, path):
+    """Return (text of the machine file, what is told) of a configuration in its place."""
+    try:
+        draft, made = imported(text, str(path), path.parent)
+    except MachineFileError as cause:
+        command = f"pycnc machine import {path} -o my.toml takes them; then -m my.toml"
+        options = [("", f"options such as --units: {command}")] if "--" in str(cause) else []
+        raise MachineFileError(str(path), [*cause.problems, *options]) from None
+    return made, tuple(draft.left)
+
+
+_TOML_ERRORS = (tomllib.TOMLDecodeError, ArithmeticError, RecursionError)
+
+
+def _is_toml(text):
+    try:
+        return tomllib.loads(text, parse_float=Decimal) is not None
+    except _TOML_ERRORS:
+        return False
+
+
 def _parse(text, file):
     try:
         return tomllib.loads(text, parse_float=Decimal)
-    except (tomllib.TOMLDecodeError, ArithmeticError, RecursionError) as cause:
-        words = foreign.remedy(text, file) or f"is not valid TOML: {cause}"
-        raise MachineFileError(file, [("", words)]) from None
+    except _TOML_ERRORS as cause:
+        raise MachineFileError(file, [("", f"is not valid TOML: {cause}")]) from None
 
 
 def _leaves(data, prefix=""):

@@ -4,9 +4,11 @@
 import re
 from decimal import Decimal
 
-from pycnc.machine import schema
 from pycnc.machine.quantity import TRAVEL_LIMIT
-from pycnc.machine.schema import AXES, MachineFile, position_key, unit_of
+from pycnc.machine.schema import (
+    AXES, Approach, Dialect, Kernel, Kinematics, LinearAxis, MachineFile, Path, RotaryAxis, Spindle,
+    Times, position_key, unit_of,
+)  # fmt: skip
 
 JERK_RISE_S = Decimal("0.05")  # where nobody says: so long until the highest acceleration
 OWN_DEFAULT = "not in the source: the control's own default"
@@ -127,7 +129,7 @@ def _tables(values):
 
 def _rank(key):
     """Return where a key of an axis stands; the others stay in their order."""
-    names = list(schema.LinearAxis.model_fields)
+    names = list(LinearAxis.model_fields)
     leaf = key.rpartition(".")[2].replace("deg", "mm")
     return names.index(leaf) if leaf in names else 0
 
@@ -182,12 +184,12 @@ def commented(letters, limits, dialect, description):
 def _pages(draft, letters):
     yield "# A machine file: docs/machine.md has all keys. Lines that begin with # are defaults."
     yield f"{_line('description', *draft.values['description'])}  # one line for people"
-    tables = [("kernel", schema.Kernel), ("path", schema.Path)]
-    tables += [(f"axis.{letter}", schema.RotaryAxis if unit_of(letter) == "deg"
-                else schema.LinearAxis) for letter in letters]  # fmt: skip
-    tables += [("kinematics", schema.Kinematics), ("spindle", schema.Spindle),
-               ("times", schema.Times), ("dialect", schema.Dialect),
-               ("approach", schema.Approach)]  # fmt: skip
+    tables = [("kernel", Kernel), ("path", Path)]
+    tables += [(f"axis.{letter}", RotaryAxis if unit_of(letter) == "deg"
+                else LinearAxis) for letter in letters]  # fmt: skip
+    tables += [("kinematics", Kinematics), ("spindle", Spindle),
+               ("times", Times), ("dialect", Dialect),
+               ("approach", Approach)]  # fmt: skip
     for name, table in tables:
         yield from ("", f"[{name}]")
         for key, field in table.model_fields.items():

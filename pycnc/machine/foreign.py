@@ -3,15 +3,16 @@
 
 import re
 
+_STAMP = r"^[ \t]*(\[?\d\d?:\d\d:\d\d(\.\d+)?\]?[ \t]*)?((->|>+)[ \t]*)?"  # what a terminal adds
 _SIGNS = {  # of each a line that its files have and the others' do not
-    "grbl or grblHAL ($$)": r"^[ \t]*\$1[0-3][0-9][ \t]*=",
+    "grbl or grblHAL ($$)": _STAMP + r"\$1[0-3][0-9][ \t]*=",
     "Klipper (printer.cfg)": r"^[ \t]*\[(stepper_\w+|printer|mcu( \w+)?|include [^]]+"
                              r"|board_pins\b.*|gcode_macro [^]]+|extruder\d*"
                              r"|tmc\d{4} [^]]+|display\w*( \w+)?"
                              r"|carriage \w+|neopixel [^]]+|duplicate_pin_override)\]",
     "LinuxCNC (INI)": r"^[ \t]*(\[(EMC|TRAJ|KINS|AXIS_\w|JOINT_\d+)\]|#INCLUDE\b)",
     "RepRapFirmware (config.g)": r"^[ \t]*M(584|566|667|669)[ \t]+[A-Z]",
-    "Marlin (M503)": r"^[ \t]*(Recv:[ \t]*)?(echo:)?[ \t]*M(92|201|203)[ \t]+[XYZE][\d.]+[ \t]",
+    "Marlin (M503)": _STAMP + r"(Recv:[ \t]*)?(echo:)?[ \t]*M(92|201|203)[ \t]+[XYZE][\d.]+[ \t]",
     "FluidNC (YAML)": r"^axes:[ \t]*(#.*)?\r?$",
 }  # fmt: skip
 
@@ -25,12 +26,3 @@ def kind_of(text):
     'Klipper (printer.cfg)'
     """
     return next((name for name, sign in _SIGNS.items() if re.search(sign, text, re.M)), None)
-
-
-def remedy(text, file):
-    """Return what to say of a foreign configuration in a machine file's place; None: it is none."""
-    kind = kind_of(text)
-    return kind and (
-        f"is a configuration of {kind}, not a machine file (TOML); make one of it: "
-        f"pycnc machine import {file} -o my.toml"
-    )

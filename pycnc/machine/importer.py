@@ -10,9 +10,11 @@ from decimal import Decimal
 from pathlib import Path
 
 from pycnc import errors
-from pycnc.machine import foreign, of_mills, of_printers
-from pycnc.machine import source as forms
 from pycnc.machine.draft import OWN_DEFAULT, Draft
+from pycnc.machine.foreign import kind_of
+from pycnc.machine.of_mills import fluidnc, grbl, linuxcnc
+from pycnc.machine.of_printers import klipper, marlin, reprap
+from pycnc.machine.source import FORMS
 
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?", re.ASCII)
 _MOTION = re.compile(  # what has to do with motion, and no equal here
@@ -141,18 +143,17 @@ def read(text, file, folder=None, units=None, deviation=None):
     ArgumentError
         If it is none that is known.
     """
-    kind = foreign.kind_of(text)
+    kind = kind_of(text)
     if kind is None:
-        known = ", ".join(_READERS)
+        known = ", ".join(_FILLS)
         raise errors.ArgumentError(
             f"{file}: is no configuration that can be imported: {known}", id="import"
         )
-    parse, fill = _READERS[kind]
     place = None if folder is None else Path(folder, file)
-    source = Source(file, parse(text, place), kind, units, deviation)
+    source = Source(file, FORMS[kind](text, place), kind, units, deviation)
     if source.draft.problems:  # a part of it is not there
         return source.draft
-    letters = fill(source)
+    letters = _FILLS[kind](source)
     if not letters and not source.draft.problems:
         source.draft.problems.append(("", f"no axis found: {_AXES_IN[kind]} would tell of one"))
     if kind not in _PRINTERS:  # of a printer it is the bed's
@@ -168,11 +169,7 @@ _AXES_IN = {  # where a whole configuration has them
     "Klipper (printer.cfg)": "[stepper_x]", "FluidNC (YAML)": "axes: x:",
     "RepRapFirmware (config.g)": "M203 X…", "Marlin (M503)": "M203 X…",
 }  # fmt: skip
-_READERS = {
-    "LinuxCNC (INI)": (forms.linuxcnc, of_mills.linuxcnc),
-    "grbl or grblHAL ($$)": (forms.grbl, of_mills.grbl),
-    "Klipper (printer.cfg)": (forms.klipper, of_printers.klipper),
-    "FluidNC (YAML)": (forms.fluidnc, of_mills.fluidnc),
-    "RepRapFirmware (config.g)": (forms.reprap, of_printers.reprap),
-    "Marlin (M503)": (forms.marlin, of_printers.marlin),
-}
+_FILLS = {
+    "LinuxCNC (INI)": linuxcnc, "grbl or grblHAL ($$)": grbl, "Klipper (printer.cfg)": klipper,
+    "FluidNC (YAML)": fluidnc, "RepRapFirmware (config.g)": reprap, "Marlin (M503)": marlin,
+}  # fmt: skip

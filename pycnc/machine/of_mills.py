@@ -20,7 +20,6 @@ _ARCS = {
     "mm": (Decimal("0.001"), Decimal("0.02828427")),
     "inch": (Decimal("0.00004"), Decimal("0.002828427")),
 }
-_NUMBER = re.compile(r"\d+\.?\d*|\.\d+")
 
 
 def _length_unit(source):
@@ -98,14 +97,16 @@ def linuxcnc(source):
     source.path("path.feed_max_mm_min", [("traj", "max_linear_velocity")], 60 * unit)
     source.path("kernel.period_ms", [("emcmot", "servo_period")], Decimal("1e-6"))
     source.path("spindle.rpm_max", [("spindle_0", "max_forward_velocity")])
-    _startup(source, unit)
-    _planner(source, unit)
-    _arcs(source, unit)
     if unit == _MM["inch"]:
         source.draft.put("dialect.units", "inch", "LINEAR_UNITS")
     if source.word(("display", "lathe")) == "1" and letters == ["x", "z"]:
         source.draft.put("kinematics.type", "lathe_xz", "LATHE = 1")
         source.draft.put("dialect.plane", 18, "LATHE = 1")
+    _startup(source, unit)
+    _planner(source, unit)
+    _arcs(source, unit)
+    if source.word(("rs274ngc", "subroutine_path")):
+        source.draft.left.append("subprograms in files: give their folder by --programs")
     if source.word(("emcio", "tool_table")):
         source.draft.left.append("the tool table: give it by --tools")
     return letters
@@ -135,20 +136,46 @@ def _for_offsets(source, letter):
         source.draft.axis(letter, quantity, value * (1 - share), f"without {comment}")
 
 
+_STARTS = {  # codes of a start-up code → what a machine file says for it
+    "G20": ("units", "inch"), "G21": ("units", "mm"), "G7": ("diameter", True),
+    "G8": ("diameter", False), "G17": ("plane", 17), "G18": ("plane", 18), "G19": ("plane", 19),
+    "G90.1": ("arc_centre", "absolute"), "G91.1": ("arc_centre", "incremental"),
+}  # fmt: skip
+_STARTS_NOWHERE = re.compile(r"G(91|92|93|95|5[5-9](\.[123])?)")  # what it has no key for
+
+
 def _startup(source, unit):
-    """What is in force before a program says G61 or G64; without both LinuxCNC has a bare G64."""
+    """What is in force before a program says anything else."""
     code = source.word(("rs274ngc", "rs274ngc_startup_code"))
-    words = re.sub(r"\s+", "", code or "").upper()
-    within = re.search(r"G64P([\d.]+)", words)
-    if within and _NUMBER.fullmatch(within[1]):
-        source.draft.put("path.tolerance_mm", Decimal(within[1]) * unit, f"start-up code {code}")
-    elif re.search(r"G61(?!\d)", words):
-        source.draft.put("path.tolerance_mm", 0, f"start-up code {code}")
+    bare = re.sub(r"\([^)]*\)|;.*|\s", "", code or "").upper()
+    words = [(letter, Decimal(number)) for letter, number in re.findall(r"([A-Z])(\d+\.?\d*|\.\d+)",
+                                                                        bare)]  # fmt: skip
+    codes = [f"{letter}{number.normalize():f}" for letter, number in words]
+    told = f"start-up code {code}"
+    for name, (key, value) in _STARTS.items():
+        if name in codes:
+            source.draft.put(f"dialect.{key}", value, told)
+    for name in filter(_STARTS_NOWHERE.fullmatch, codes):
+        source.draft.problems.append(
+            ("RS274NGC_STARTUP_CODE", f"{name}: a machine file cannot say it; let the programs do")
+        )
+    scale = _MM["inch"] if "G20" in codes else _MM["mm"] if "G21" in codes else unit
+    if feed := dict(words).get("F"):
+        source.draft.put("dialect.feed_default_mm_min", feed * scale, told)
+    _path_mode(source, codes, dict(words).get("P"), scale, told if code else "")
+
+
+def _path_mode(source, codes, within, scale, told):
+    """G61 or G64 of the start-up code; without both LinuxCNC has a bare G64."""
+    if "G64" in codes and within is not None:
+        source.draft.put("path.tolerance_mm", within * scale, told)
+    elif "G61" in codes:
+        source.draft.put("path.tolerance_mm", 0, told)
     else:
-        words = f"start-up code {code}" if code else "no start-up code: G64 without P"
+        words = told or "no start-up code: G64 without P"
         source.draft.put("control.g64_without_p", "length", words)
         return
-    source.draft.put("control.g64_without_p", "tolerance", f"start-up code {code}")
+    source.draft.put("control.g64_without_p", "tolerance", told)
 
 
 def _arcs(source, unit):
@@ -243,6 +270,23 @@ def _travel_of_fluidnc(source, letter, own):
         source.draft.axis(letter, end, place, comment)
 
 
+_SPINDLES = ("laser", "pwm", "onoff", "relay", "10v", "dac", "besc", "hbridge", "huanyang",
+             "yl620", "h2a", "h100", "nowforever", "siemens_v20", "modbusvfd",
+             "plasmaspindle")  # fmt: skip
+
+
+def _laser_of_fluidnc(source):
+    """Whether tool 0, which it begins with, is a laser: then an S on a move is no rest."""
+    heads = [name for name in _SPINDLES if name in source.form.heads.values()]
+    if "laser" not in heads:
+        return
+    numbers = {name: source.number((name, "tool_num"))[0] or 0 for name in heads}
+    source.axes.add("laser")
+    is_first = numbers["laser"] == min(numbers.values())
+    words = "laser:" if is_first else "laser: its tool_num is not the first"
+    source.draft.put("control.laser_mode", is_first, words)
+
+
 def fluidnc(source):
     """Fill in a config.yaml; return the letters of its axes."""
     letters = source.letters_of("axes.", AXES)
@@ -259,6 +303,7 @@ def fluidnc(source):
             source.draft.left.append(f"kinematics {name}: planned is the tool's path in X Y Z")
     source.path("path.chord_error_mm", [("", "arc_tolerance_mm")])
     source.draft.put("control.kind", "fluidnc")
+    _laser_of_fluidnc(source)
     source.own("junction_deviation", [("", "junction_deviation_mm")], Decimal("0.01"))
     source.own("arc_tolerance", [("", "arc_tolerance_mm")], Decimal("0.002"))
     source.own("planner_blocks", [("", "planner_blocks")], Decimal(16))

@@ -293,6 +293,9 @@ class _Klipper:
             self.section = None
 
 
+_STAMP = re.compile(r"^\s*(\[?\d\d?:\d\d:\d\d(\.\d+)?\]?\s*)?((->|>+)\s*)?")  # of a terminal
+
+
 # ---- grbl: $110=500.000, and of $I what it says of the build
 
 
@@ -304,13 +307,14 @@ def grbl(text, place):
         if not row.text:
             continue
         form.rows.append(row)
-        pair = re.match(r"\s*\$(\d+)\s*=\s*([^\s(;]+)", row.raw, re.ASCII)
+        bare = _STAMP.sub("", row.raw)
+        pair = re.match(r"\$(\d+)\s*=\s*([^\s(;]+)", bare, re.ASCII)
         if pair:
             form.put(("$", str(int(pair[1]))), pair[2], [row], last_counts=True)
-        build = re.match(r"\s*\[OPT:[^,\]]*,(\d+)", row.raw, re.ASCII)
+        build = re.match(r"\[OPT:[^,\]]*,(\d+)", bare, re.ASCII)
         if build:
             form.put(("i", "blocks"), build[1], [row], last_counts=True)
-        if re.match(r"\s*\[FIRMWARE:\s*grblHAL", row.raw, re.I):
+        if re.match(r"\[FIRMWARE:\s*grblHAL", bare, re.I):
             form.put(("i", "firmware"), "grblHAL", [row], last_counts=True)
     return form
 
@@ -326,8 +330,8 @@ def marlin(text, place):
     del place
     form = Form()
     for row in _rows(text):
-        bare = re.sub(r";.*", "", re.sub(r"^\s*(Recv:\s*)?(echo:)?", "", row.raw, flags=re.I))
-        bare = bare.strip()
+        sent = _STAMP.sub("", row.raw)
+        bare = re.sub(r";.*", "", re.sub(r"^(Recv:\s*)?(echo:)?", "", sent, flags=re.I)).strip()
         if not bare:
             continue
         form.rows.append(row)
@@ -429,3 +433,9 @@ def fluidnc(text, place):
             above.append((depth, name))
             form.heads[id(row)] = ".".join(key for _, key in above)
     return form
+
+
+FORMS = {
+    "LinuxCNC (INI)": linuxcnc, "grbl or grblHAL ($$)": grbl, "Klipper (printer.cfg)": klipper,
+    "FluidNC (YAML)": fluidnc, "RepRapFirmware (config.g)": reprap, "Marlin (M503)": marlin,
+}  # fmt: skip

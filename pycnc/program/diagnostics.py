@@ -10,7 +10,7 @@ import numpy as np
 
 from pycnc.kernel.bind import lib, note_id, status_id
 from pycnc.program.shown import Tables, frame, rows_table
-from pycnc.program.wording import WORDING
+from pycnc.program.wording import META, WORDING
 
 SHOWN_PER_ID = 20  # findings of one id that are told in full; the rest is counted
 _LINES_NAMED = 5  # of those that say the same
@@ -214,7 +214,8 @@ class Wording:
         line, column = int(row["line"]), int(row["column"])
         source = self._lines[line]
         fields = self._fields(name, row, source)
-        message, remedy = (words.format_map(fields) for words in _wording(name, fields))
+        words = META if fields["meta"] and name in _OF_META else _wording(name, fields)
+        message, remedy = (each.format_map(fields) for each in words)
         severity = severity_of(name)
         return Diagnostic(*self._place(line), column, name, severity, message, remedy, source)
 
@@ -224,6 +225,8 @@ class Wording:
         value.text = _number_at(source, column, letter, value)
         settings, axis = self._machine.settings, letter.lower()
         unit = "deg" if letter in "ABC" and letter else "mm"
+        if letter == "U" and settings.dialect.base == "marlin" and b"U" not in source.upper():
+            letter = "E"  # as the text has it
         return {
             "value": value,
             "limit": limit,
@@ -246,6 +249,7 @@ class Wording:
             "plane": settings.dialect.plane,
             "lathe": settings.kinematics.type == "lathe_xz" and settings.dialect.base == "fanuc",
             "arc_centre": settings.dialect.arc_centre,
+            "meta": _meta(source) if settings.dialect.base == "marlin" else "",
         }
 
 
@@ -274,6 +278,18 @@ def _number_at(source, column, letter, value):
         return None
 
 
+_META = re.compile(
+    rb"[ \t]*(if|elif|else|while|break|continue|abort|echo|var|global|set)\b|[^;]*?(\{)"
+)
+_OF_META = frozenset({"number", "character", "other-base", "expression", "word-unknown"})
+
+
+def _meta(source):
+    """Return what of RepRapFirmware's meta commands is in a line; empty: nothing."""
+    found = _META.match(source)
+    return (found[1] or found[2]).decode() if found else ""
+
+
 def _whose(tongues):
     """Return whose a word is, as a person says it and as ``--dialect`` does."""
     names = [name for bits, name in _TONGUES if tongues & bits == bits]
@@ -287,7 +303,8 @@ def _whose(tongues):
 def _wording(name, fields):
     letter = fields["letter"]
     word = f"{name}:{letter}{fields['value']:.15g}"
-    for key in (f"{word}:lathe" * fields["lathe"], word, f"{name}:{letter}"):
+    own = f"{name}:{letter}:{fields['base']}"
+    for key in (f"{word}:lathe" * fields["lathe"], word, own, f"{name}:{letter}"):
         if key in WORDING:
             return WORDING[key]
     return WORDING[name]

@@ -21,7 +21,7 @@ _ROTARY = re.compile(rb"(?<![A-Z])([ABC]) *-?[\d.]", re.IGNORECASE)
 _SPINDLE = re.compile(rb"(?<![A-Z])M0?[34](?!\d)", re.IGNORECASE)
 _SPEED = re.compile(rb"(?<![A-Z])S *(?!0*\.?0*(?:[^\d.]|$))[\d.]+", re.IGNORECASE)
 _HEIGHT = re.compile(rb"(?<![A-Z])Z *[-+]?[\d.]", re.IGNORECASE)
-_BEAM = re.compile(rb"(?:N\d+ *)?G0?1(?!\d)[^S]*S *(\d+\.?\d*)", re.IGNORECASE)
+_BEAM = re.compile(rb"(?:N\d+ *)?(?:G0?1(?!\d)|[XY] *-?[\d.])[^S]*S *(\d+\.?\d*)", re.IGNORECASE)
 _DEPTH = re.compile(rb"Z *-", re.IGNORECASE)
 _BEAMS, _POWERS = 3, 2  # cuts that say S, and with how many values, that no spindle is told
 
@@ -38,7 +38,7 @@ _STRANGE = frozenset({"axis-unknown", "word-unknown", "other-base", "m-unknown",
 def kind_of(text, machine):
     """Return what a text is for if the machine is no such one; None: nothing tells, or it is."""
     lines = [_REMARKS.sub(b"", line).strip() for line in beginning(text)]
-    kinds = (_print, _turning, _rotary, _laser)
+    kinds = (_print, _turning, _rotary, _laser, _fanuc)
     return next((seen for kind in kinds if (seen := kind(lines, machine))), None)
 
 
@@ -75,6 +75,8 @@ def _rotary(lines, machine):
     if len(found) < 2 or letters <= set(machine.axes) or not letters <= {"a", "c"}:
         return None
     options = "-m mill4" if letters == {"a"} else "-m mill5_xyzac"
+    if dialect_of(b"\n".join(lines))[0] == "fanuc":
+        options += " --dialect fanuc"
     return Kind("a program for axes that turn", *found[0], options, {"axis-unknown"})
 
 
@@ -86,6 +88,18 @@ def _laser(lines, machine):
     if laser or deep or not found or not (varies or _is_flat(lines)):
         return None
     return Kind("a laser's program", *found[0][:2], "-m laser", frozenset())
+
+
+def _fanuc(lines, machine):
+    """Return what a mill's program of Fanuc's language is, which RS274NGC's words do not read."""
+    dialect, number, _ = dialect_of(b"\n".join(lines))
+    base, is_lathe = machine.settings.dialect.base, "y" not in machine.axes
+    if dialect != "fanuc" or base == "fanuc" or is_lathe:
+        return None
+    turns = any(map(_ROTARY.search, lines))
+    options = "--dialect fanuc" if turns else "-m haas_vf2"
+    return Kind("a program for Fanuc's control, or Haas'", number, lines[number - 1], options,
+                {"other-base", "word-unused", "word-missing", "spline"})  # fmt: skip
 
 
 def _is_flat(lines):

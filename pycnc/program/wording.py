@@ -24,6 +24,18 @@ _RETRACTS = (
     "have the slicer write retractions as moves of E, or say so: "
     "--set g.{key_of_g}.action=ignore",
 )
+_OWN_WAYS = (
+    "{found} has the printer go a way of its own: its moves and their time are left out",
+    "say so: --set g.{key_of_g}.action=ignore",
+)
+_SENDERS = (
+    "{found} begins what a sender says to grbl, and no block of a program",
+    "take the line out: the machine is homed ($H), moved by hand ($J) or asked (?) before it runs",
+)
+META = (
+    "{meta} is of RepRapFirmware's meta commands: what it comes to, the printer knows alone",
+    "have the slicer write plain commands and numbers",
+)
 _OWN_M = (
     "M{value} is a function of the machine's own, and its file does not name it",
     "if the machine has it: --set m.{value:.0f}.action=output (or wait, until it is done)",
@@ -50,6 +62,7 @@ WORDING = {
         "{found} starts no word",
         "a block is made of words such as G1 X10 F200; comments stand in ( ) or after ;",
     ),
+    **{f"character:?{code}": _SENDERS for code in map(ord, "$?~!")},
     "number": (
         "{letter} has no number that can be read",
         "write the number right after the letter: {letter}12.5 (a decimal point, no comma)",
@@ -97,6 +110,10 @@ WORDING = {
     "word-unused": (
         "no code of this block uses {found}",
         "remove the word, or add the code that it belongs to",
+    ),
+    "word-unused:H:marlin": (
+        "{found} has a move end at a switch, or moves motors by themselves",
+        "leave homing to G28: where such a move ends, the printer knows alone",
     ),
     "word-missing": (
         "a word is missing in this block: {letter}",
@@ -311,7 +328,8 @@ WORDING = {
         "say what it means on this machine: --set g.{key_of_g}.action=ignore, or "
         "g.{key_of_g}.action=tolerance and g.{key_of_g}.tolerance_mm=0.01",
     ),
-    **{f"mode-stays:G{code}": _PROBES for code in (29, 30, 34)},
+    **{f"mode-stays:G{code}": _PROBES for code in (29, 30, 34, 35)},
+    **{f"mode-stays:G{code}": _OWN_WAYS for code in (12, 26, 27)},
     **{f"mode-stays:G{code}": _RETRACTS for code in (10, 11)},
     "limits-stay": (
         "M201 to M205 change limits of a printer's firmware: here the machine's hold",

@@ -161,6 +161,11 @@ static const told_row_t marlin_rows[] = {
      " 106/0; !7:10 word-twice U; 8 dwell for 0; !9:4 number-range S -1/1000000; !10:1"
      " number-range E 2000000/1000000; !11:5 modal-group M 83/0; 12 out M117; 13 out M18; 14"
      " out M110; 15 rapid U1"},
+    {"M0 S5\nM0 P2500\nM1 S2 hello P9\nM0 P500 S3\nM0S.5\nM0S4\nM0 S\nM1 P x\nM0 hello S5\n"
+     "G4 P100 S2\nG4 S1 P700\nM0 S9999999\nG27 P2\nG12 P1 S1\nM125 L5\nM25\nM410\n",
+     "1 dwell for 5; 2 dwell for 2.5; 3 dwell for 2; 4 dwell for 3; 5 wait M0; 6 dwell for 4; 7"
+     " wait M0; 8 wait M1; 9 wait M0; 10 dwell for 2; 11 dwell for 1; 12 dwell for 1000000;"
+     " ?13:1 mode-stays G 27/0; ?14:1 mode-stays G 12/0; 15 wait M125; 16 wait M25; 17 out M410"},
     {"G1 X1 F60\nX2 F0\nG0 X3 F-5\nG1 X4\nX5 F1\nX6 F0\n",
      "1 line X1 F60; ?2:4 feed-kept F; 2 line X2; 3 rapid X3 F60; 4 line X4; 5 line X5 F1;"
      " 6 line X6"},

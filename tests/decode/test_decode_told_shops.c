@@ -14,6 +14,25 @@ static const told_row_t modes_rows[] = {
      " !23:7 word-unused X; 24 line X7"},
 };
 
+static const told_row_t dwells_rows[] = {
+    {"G4 P2.\nG4 P2000\nG4 P.5\nG4 X2.\n#1=3\nG4 P#1\nG82 X1. Z-1. R1. P1.5 F60.\nP1500 X2.\nG80\n"
+     "G4 P2000000.\nG4 P-1.\n",
+     "1 dwell for 2; 2 dwell for 2; 3 dwell for 0.5; 4 dwell for 2; 6 dwell for 0.003;"
+     " 7 rapid~ Z1; 7 rapid~ X1; 7 line~ Z-1 F60; 7 dwell for 1.5; 7 rapid~ Z1;"
+     " 8 rapid~ X2; 8 line~ Z-1; 8 dwell for 1.5; 8 rapid~ Z1;"
+     " !10:4 number-range P 2000000/1000000; !11:4 number-range P -1/1000000"},
+    {"G4 X#3007\nG4 X[#3008+1]\nG4 X#4014\nG59\nG4 X#4014\nG54.1 P2\nG4 X#4014\nG4 X#4010\nG99\n"
+     "G4 X#4010\n#3007=1\nG4 X#3005\nG4 X#3009\n",
+     "1 dwell for 0; 2 dwell for 1; 3 dwell for 54; 5 dwell for 59; 7 dwell for 54.1; 8 dwell for"
+     " 98; 10 dwell for 99; !11:1 unsupported # 3007/0; !12:5 unsupported # 3005/0;"
+     " !13:5 unsupported # 3009/0"},
+};
+
+static void points_of_dwells_and_parameters_of_the_control(check_t *check) {
+    told_begin(&self, NCK_DIALECT_FANUC);
+    TOLD(check, &self, dwells_rows);
+}
+
 static void modes_are_noted_once(check_t *check) {
     told_begin(&self, NCK_DIALECT_FANUC);
     TOLD(check, &self, modes_rows);
@@ -205,6 +224,7 @@ static void polar_words_are_places(check_t *check) {
 int main(void) {
     check_t check = {0};
     if (!TOLD_WHOLE) return 0;
+    CHECK_RUN(&check, points_of_dwells_and_parameters_of_the_control);
     CHECK_RUN(&check, modes_are_noted_once);
     CHECK_RUN(&check, a_machine_explains_its_modes);
     CHECK_RUN(&check, further_systems_have_their_zeros);

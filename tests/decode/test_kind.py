@@ -119,3 +119,32 @@ def test_the_command_of_a_print_reads_it():
     command = shlex.split(pycnc.load(text, Machine.load("mill3")).diagnostics.shown[0].help)
     assert command[:2] == ["pycnc", "time"]
     assert pycnc.load(text, command[command.index("-m") + 1]).diagnostics.errors == 0
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_raster_whose_lines_have_no_g1_is_a_lasers(seed):
+    rng = random.Random(seed)
+    rows = [f"{rng.choice('XY')}{rng.choice(('', '-'))}0.1S{rng.randrange(900)}" for _ in range(40)]
+    text = "G21\nG91\nM4\nG0X9Y9\nG1X2S0F6000\n" + "\n".join(rows) + "\nM5\nM2\n"
+    mill = Machine.load("mill3")
+    assert "-m laser" in pycnc.load(text, mill).diagnostics.shown[0].help
+    deep = text.replace("G1X2", "G1Z-1X2")
+    assert pycnc.load(deep, mill).diagnostics.counts["looks-like"] == 0
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_mills_program_of_fanuc_is_told_with_the_command_that_reads_it(seed):
+    rng = random.Random(seed)
+    rows = [f"G0 X{number(rng)} Y{number(rng)}" for _ in range(9)]
+    own = rng.choice(("G187 P2 E.02", "G54.1 P3", "G05.1 Q1", "G154 P2", "G5 P10000"))
+    turns = rng.choice(("", "G0 A30.\nG0 A40.\n"))
+    head = f"%\nO{rng.randrange(10, 9999)} (PART)\nG21 G90\n{own}\n"
+    text = head + "\n".join(rows) + f"\n{turns}"
+    first = pycnc.load(f"{text}M30\n%\n", Machine.load("mill3")).diagnostics.shown[0]
+    options = "-m mill4 --dialect fanuc" if turns else "-m haas_vf2"
+    assert (first.id, options in first.help) == ("looks-like", True)
+    plain = text.replace(own, "G17")  # which RS274NGC has, too
+    assert pycnc.load(f"{plain}M30\n%\n", Machine.load("mill4")).diagnostics.counts[
+        "looks-like"] == 0  # fmt: skip
+    assert pycnc.load(f"{text}M30\n%\n", Machine.load("mill4", dialect="fanuc")).diagnostics.counts[
+        "looks-like"] == 0  # fmt: skip

@@ -224,3 +224,37 @@ def test_e_counts_as_the_firmware_of_the_printer_has_it(firmware, number, draw_s
     assert ends[0] == ends[1], text
     dwells = decode("G21\nG4 S2\nG4 P500\n", own)[0]["dwell_s"].tolist()
     assert dwells[:2] == [0.0 if firmware == "klipper" else 2.0, 0.5]
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_what_only_the_printer_knows_is_refused_by_its_name(seed):
+    pen = random.Random(seed)
+    line, column, words = pen.choice((
+        ("if move.axes[0].homed", 1, "if is of RepRapFirmware's meta commands"),
+        ('echo "x"', 2, "echo is of RepRapFirmware's"), ("var a = 1", 2, "var is of RepRap"),
+        ("G1 X{var.a}", 4, "{ is of RepRapFirmware's"), ("G1 H2 X5 F600", 4, "H2 has a move end"),
+        ("G5 I0 J3 P0 Q-3 X60 Y60 E16", 1, "E does not move along a spline"),
+    ))  # fmt: skip
+    plain = [f"G1 X{pen.randrange(90)} F900" for _ in range(pen.randrange(1, 9))]
+    text = "G21\nG90\n" + "\n".join(plain) + f"\n{line}\nG1 X1\n"
+    machine = Machine.load("printer_marlin", set={"control.reprap": True})
+    (found,) = [each for each in pycnc.load(text, machine).diagnostics if each.severity == "error"]
+    assert (found.line, found.col) == (3 + len(plain), column)
+    assert found.message.startswith(words) and found.help
+
+
+@pytest.mark.sample(20)
+@pytest.mark.parametrize("number", range(200))
+def test_a_stop_with_a_time_goes_on_by_itself(number, draw_seed):
+    pen = random.Random(draw_seed + number)
+    lines, waits = ["G28", "G21", "G90"], 0.0
+    for _ in range(pen.randrange(1, 9)):
+        seconds, thousandths = pen.randrange(1, 30), pen.randrange(1, 5000)
+        words, wait = pen.choice(((f"S{seconds}", seconds), (f"P{thousandths}", thousandths / 1000),
+                                  (f"P{thousandths} S{seconds}", seconds), ("", 0),
+                                  (f"S{seconds} P{thousandths}", seconds)))  # fmt: skip
+        text = pen.choice(("", " Please wait", " S", "; S9"))
+        lines += [f"M{pen.randrange(2)} {words}{text}", f"G1 X{pen.randrange(90)} F3000"]
+        waits += wait
+    plan = planned.plan(pycnc.load("\n".join([*lines, ""]), "printer_marlin"))
+    assert plan.totals["dwell_s"] == pytest.approx(waits)

@@ -45,10 +45,10 @@ def test_a_parameter_of_the_control_is_told_or_refused(tongue):
     if tongue == "linuxcnc":
         told = {*range(1, 5001), *range(5061, 5071), *range(5220, 5401), *range(5420, 5429)}
     else:
-        axes, turning = len(machine.axes), {4016} if tongue == "turning" else set()
+        axes, own = len(machine.axes), {4016} if tongue == "turning" else {4010}
         rows = [5001, 5021, 5041, 5061, 5201, *range(5221, 5341, 20)]
-        told = {*range(1, 34), *range(100, 1000), *groups, *turning, *range(3001, 3005),
-                3011, 3012, *range(5401, 5501)}
+        told = {*range(1, 34), *range(100, 1000), *groups, *own, *range(3001, 3005),
+                3007, 3008, 3011, 3012, 4014, *range(5401, 5501)}
         told |= {first + k for first in rows for k in range(axes)}
     numbers = range(1, 10000)
     text = "".join(f"#{33 if n != 33 else 32}=#{n}\n" for n in numbers)
@@ -172,3 +172,13 @@ def test_the_tools_of_a_file_keep_their_noses_in_another_language():
 def test_m1_of_a_printer_waits_as_m0_does():
     for base, kind in (("marlin", lib.NCK_BLOCK_WAIT), ("linuxcnc", lib.NCK_BLOCK_OUTPUT)):
         assert decode("M1\n", machine_of(base))[0]["kind"][0] == kind
+
+
+@pytest.mark.parametrize("sign", "$?~!")
+@pytest.mark.parametrize("base", ["grbl", "linuxcnc"])
+def test_what_a_sender_says_is_named_with_what_to_do(base, sign):
+    text = f"G21 G90\nG0 X1\n{sign}H\nG0 X2\nM2\n"
+    (found,) = [each for each in pycnc.load(text, "mill3", dialect=base).diagnostics
+                if each.severity == "error"]  # fmt: skip
+    assert (found.line, found.col, found.id) == (3, 1, "character")
+    assert "says to grbl" in found.message and "take the line out" in found.help

@@ -18,6 +18,7 @@ from pycnc.machine import importer, source
 
 INCH = Decimal("25.4")
 ROTARY = "abc"
+STAMPS = ("", "", "", "19:22:01.123 -> ", "[7:02:59] ", ">>> ")  # of terminals
 JUNK = ("HALFILE", "note_x", "serial", "pid_Kp", "gcode", "FERROR", "backlash", "µ_step")
 KINDS = ("linuxcnc", "klipper", "grbl", "fluidnc", "marlin", "reprap")
 
@@ -171,6 +172,8 @@ def grbl(seed):
             words = pen.random.choice(["", " (rate, mm/min)", "  "])
             lines += [f"{indent}${number + k} ={text}{words}", *pen.blank()]
     lines += ["$10=1", "$32 = 0 (laser)", "[G54:0.000,0.000,0.000]", "ok"]
+    stamp = pen.random.choice(STAMPS)
+    lines = [stamp + line if line.strip() else line for line in lines]
     return Case(pen.encoded("grbl.txt", lines), expected, "grbl", None)
 
 
@@ -228,7 +231,8 @@ def marlin(seed):
     expected = v_of | a_of | {"control.acceleration": Decimal(500),
                               "control.travel_acceleration": Decimal(1500),
                               "control.junction_deviation": deviation}  # fmt: skip
-    lines = [f"{echo}{line}" for line in lines] + ["ok"]
+    stamp = pen.random.choice(STAMPS)
+    lines = [f"{stamp}{echo}{line}" for line in lines] + ["ok"]
     return Case(pen.encoded("m503.txt", lines), expected, "marlin", None)
 
 
@@ -274,6 +278,7 @@ def _is_silent(kind, row):
     if kind == "grbl":
         return False
     if kind in ("marlin", "reprap"):
+        bare = bare.removeprefix(next(filter(bare.startswith, STAMPS[3:]), ""))
         said = bare.removeprefix("Recv:").lstrip().removeprefix("echo:").lstrip()
         return said[:1] == ";" or bare.startswith("M669")
     if kind == "fluidnc":  # of a map the head is not quoted, and a true that is used is not

@@ -18,6 +18,7 @@ enum {
     LINUXCNC_OWN = 5001, LINUXCNC_KEPT = 5061, LINUXCNC_LAST = 5601,
     LAST_OF_GROUP = 30,        // G3, in tenths
     TIMER = 3001, HOURS = 3002, BLOCKS = 3003, OPERATING = 3004, // Fanuc: what counts on, switches
+    MIRROR = 3007, // Fanuc: axes that a switch mirrors; behind it, whether a program is begun again
     DATE = 3011, OLD_DATE = 20000101, // where nobody has said which day it is
     SHOWN = 5599, // LinuxCNC: whether (DEBUG, …) is shown
     PROBED = 5061, PROBE_TOUCHED = 5070, // where a probe has ended; did it meet anything?
@@ -29,8 +30,8 @@ typedef enum ask {
     ASK_NOTHING, ASK_PROGRAM, ASK_NOSE, ASK_MACHINE, ASK_OUTER, ASK_WORK, ASK_FEED, ASK_SPEED,
     ASK_TOOL, ASK_NEXT_TOOL, ASK_TURRET, ASK_SYSTEM, ASK_MOTION, ASK_PLANE, ASK_DISTANCE,
     ASK_INCREMENTAL, ASK_INCH, ASK_METRIC, ASK_UNITS, ASK_FEED_MODE, ASK_DIAMETER, ASK_CENTRE,
-    ASK_SPINDLE, ASK_SURFACE, ASK_LEVEL, ASK_RETURNED, ASK_HAS_RETURNED, ASK_DATE, ASK_TIME,
-    ASK_ZERO
+    ASK_SPINDLE, ASK_SURFACE, ASK_RETRACT, ASK_SYSTEM_CODE, ASK_LEVEL, ASK_RETURNED,
+    ASK_HAS_RETURNED, ASK_DATE, ASK_TIME, ASK_ZERO
 } ask_t;
 
 // Counts of an axis in the units in force.
@@ -140,9 +141,17 @@ static double number_in_force(const nck_decode_t *self, ask_t ask) {
     }
 }
 
+// What is in force of the other groups: G98 G99; G54 … G59, G54.1.
+static double group(const nck_decode_t *self, ask_t ask) {
+    const uint32_t system = self->place.work_system;
+    if (ask == ASK_RETRACT) return 98.0 + self->held.cycle.to_r;
+    return system == NCK_WORK_SYSTEMS ? 54.1 : 54.0 + system;
+}
+
 static double answer(const nck_decode_t *self, ask_t ask, unsigned index) {
     if (ask <= ASK_WORK) return place(self, ask, index);
     const int sets = ask >= ASK_MOTION && ask <= ASK_SURFACE;
+    if (ask == ASK_RETRACT || ask == ASK_SYSTEM_CODE) return group(self, ask);
     return sets ? setting(self, ask) : number_in_force(self, ask);
 }
 
@@ -169,7 +178,9 @@ static const row_t rows[] = {
     {4005, 1, ASK_FEED_MODE, F | T, 0}, {4006, 1, ASK_UNITS, F | T, 0},
     {4016, 1, ASK_PLANE, T, 0}, {4109, 1, ASK_FEED, F | T, 0}, {4119, 1, ASK_SPEED, F | T, 0},
     {4120, 1, ASK_NEXT_TOOL, F, 0}, {4120, 1, ASK_TURRET, T, 0}, {BLOCKS, 2, ASK_ZERO, F | T, 0},
-    {DATE, 1, ASK_DATE, F | T, 0}, {DATE + 1, 1, ASK_TIME, F | T, 0}
+    {MIRROR, 2, ASK_ZERO, F | T, 0}, {4010, 1, ASK_RETRACT, F, 0},
+    {4014, 1, ASK_SYSTEM_CODE, F | T, 0}, {DATE, 1, ASK_DATE, F | T, 0},
+    {DATE + 1, 1, ASK_TIME, F | T, 0}
 };
 
 static const row_t *find(const nck_decode_t *self, uint32_t number) {

@@ -177,18 +177,19 @@ nck_status_t nck_decode_own(nck_decode_t *self, nck_block_t *out) {
 static char dwell_letter(const nck_decode_t *self) {
     const uint32_t base = self->machine->dialect.base;
     const int hears = self->machine->firmware != NCK_FIRMWARE_KLIPPER;
-    if (nck_has_word(self, 'P')) return 'P';
     if (base == NCK_DIALECT_MARLIN && hears && nck_has_word(self, 'S')) return 'S';
+    if (nck_has_word(self, 'P')) return 'P';
     if (base == NCK_DIALECT_FANUC && nck_has_word(self, 'X')) return 'X';
     if (base == NCK_DIALECT_FANUC && nck_has_word(self, 'U')) return 'U';
     return 0;
 }
 
-// P is in seconds, in Fanuc's and Marlin's languages in milliseconds; the other words are in
-// seconds.
+// P is in seconds, in Fanuc's and Marlin's languages in milliseconds, but with a point in Haas' in
+// seconds, and Fanuc has none; the other words are in seconds.
 nck_status_t nck_decode_dwell_word(nck_decode_t *self, char letter, double *dwell_out) {
     const uint32_t base = self->machine->dialect.base;
-    const int millisecond = base == NCK_DIALECT_FANUC || base == NCK_DIALECT_MARLIN;
+    const int whole = base == NCK_DIALECT_FANUC && !nck_decode_says_point(self, letter);
+    const int millisecond = whole || base == NCK_DIALECT_MARLIN;
     const int counts = letter == 'P';
     const double word = counts ? nck_word_real(self, letter) : nck_decode_real_word(self, letter);
     const double dwell_s = counts && millisecond ? word / 1000.0 : word;
@@ -294,6 +295,8 @@ nck_status_t nck_decode_retract(nck_decode_t *self, nck_block_t *out) {
 nck_status_t nck_decode_stop(nck_decode_t *self, nck_block_t *out) {
     const uint16_t code = self->words.code[NCK_STEP_STOP];
     nck_block_kind_t kind = NCK_BLOCK_WAIT;
+    double wait_s = 0.0;
+    if (nck_printer_pauses(self, &wait_s)) return nck_decode_give_dwell(self, wait_s, out);
     const int optional = code == 10 && self->tongue != NCK_TONGUE_MARLIN; // whose M1 is its M0
     if (optional && !self->machine->dialect.optional_stop) kind = NCK_BLOCK_OUTPUT;
     if (code == 20 || code == 300) {

@@ -14,6 +14,8 @@ enum { AXIS_U = 6, AXIS_E = NCK_AXIS_MAX > AXIS_U ? AXIS_U : 0 };
 enum { PLAIN = 0, VALUE = 1, WAITS = 2, FULL = 4, ENDS = 8, TEXT = 16, LIMITS = 32, TRAVEL = 64 };
 
 enum { CODE_DIGITS = 4 };
+
+static const double pause_most_s = 1e6;
 enum { PERCENT = 220, PERCENT_MOST = 10000, PERCENT_PLAIN = 100 }; // of M220
 enum { CHECKS = 862, CHECKS_LAST = 6 }; // M862.1 … M862.6: is it the printer that is meant?
 
@@ -23,33 +25,41 @@ typedef struct printer_code {
 } printer_code_t;
 
 // Marlin 2.1, and what PrusaSlicer writes for its printers (M73 M86 M142 M601 M862 …) and for
-// RepRapFirmware (M116 M557 M566 M568 M572). All of them move nothing, but M600 and M601, which
-// wait for a person.
+// RepRapFirmware (M116 M557 M566 M568 M572). All of them move nothing, but M600, M601, M125 and
+// M25, which wait for a person.
 static const printer_code_t codes[] = {
-    {82, PLAIN}, {83, PLAIN}, {104, VALUE}, {109, VALUE | WAITS}, {106, VALUE | FULL},
-    {107, PLAIN}, {140, VALUE}, {190, VALUE | WAITS}, {141, VALUE}, {191, VALUE | WAITS},
-    {117, TEXT}, {118, TEXT}, {17, TEXT}, {18, TEXT}, {84, TEXT}, {105, TEXT}, {110, PLAIN},
-    {114, TEXT}, {115, TEXT}, {119, TEXT}, {220, VALUE}, {221, VALUE}, {400, ENDS},
-    {201, LIMITS}, {202, LIMITS}, {203, LIMITS}, {204, LIMITS}, {205, LIMITS}, {900, TEXT},
-    {31, TEXT}, {42, TEXT}, {73, TEXT}, {74, TEXT}, {75, TEXT}, {76, TEXT}, {77, TEXT}, {78, TEXT},
-    {80, TEXT},
-    {81, TEXT}, {85, TEXT}, {86, TEXT}, {92, TEXT}, {108, TEXT}, {111, TEXT}, {113, TEXT},
-    {142, TEXT}, {150, TEXT}, {155, TEXT}, {207, TEXT}, {208, TEXT}, {209, TEXT}, {211, TRAVEL},
-    {240, TEXT}, {250, TEXT}, {280, TEXT}, {300, TEXT}, {301, TEXT}, {302, TEXT}, {304, TEXT},
-    {355, TEXT}, {401, TEXT}, {402, TEXT}, {412, TEXT}, {413, TEXT}, {420, TEXT}, {486, TEXT},
-    {500, TEXT}, {501, TEXT}, {502, TEXT}, {503, TEXT}, {569, TEXT}, {593, TEXT},
-    {600, TEXT | WAITS}, {601, TEXT | WAITS}, {603, TEXT}, {851, TEXT}, {CHECKS, TEXT},
-    {906, TEXT}, {913, TEXT}, {914, TEXT}, {116, TEXT | WAITS}, {290, TEXT}, {555, TEXT},
-    {557, TEXT}, {566, LIMITS}, {568, TEXT}, {572, TEXT}, {602, TEXT}, {907, TEXT}
+    {82, PLAIN}, {83, PLAIN}, {104, VALUE}, {109, VALUE | WAITS}, {106, VALUE | FULL}, {107, PLAIN},
+    {140, VALUE}, {190, VALUE | WAITS}, {141, VALUE}, {191, VALUE | WAITS}, {117, TEXT},
+    {118, TEXT}, {17, TEXT}, {18, TEXT}, {84, TEXT}, {105, TEXT}, {110, PLAIN}, {114, TEXT},
+    {115, TEXT}, {119, TEXT}, {220, VALUE}, {221, VALUE}, {400, ENDS}, {201, LIMITS}, {202, LIMITS},
+    {203, LIMITS}, {204, LIMITS}, {205, LIMITS}, {900, TEXT}, {16, TEXT}, {24, TEXT},
+    {25, TEXT | WAITS}, {27, TEXT}, {31, TEXT}, {42, TEXT}, {73, TEXT}, {74, TEXT}, {75, TEXT},
+    {76, TEXT}, {77, TEXT}, {78, TEXT}, {80, TEXT}, {81, TEXT}, {85, TEXT}, {86, TEXT}, {87, TEXT},
+    {92, TEXT}, {108, TEXT}, {111, TEXT}, {113, TEXT}, {120, TEXT}, {121, TEXT}, {123, TEXT},
+    {125, TEXT | WAITS}, {142, TEXT}, {145, TEXT}, {149, TEXT}, {150, TEXT}, {154, TEXT},
+    {155, TEXT}, {163, TEXT}, {164, TEXT}, {165, TEXT}, {166, TEXT}, {192, TEXT | WAITS},
+    {193, TEXT | WAITS}, {207, TEXT}, {208, TEXT}, {209, TEXT}, {211, TRAVEL}, {217, TEXT},
+    {226, TEXT | WAITS}, {240, TEXT}, {250, TEXT}, {255, TEXT}, {256, TEXT}, {260, TEXT},
+    {261, TEXT}, {280, TEXT}, {281, TEXT}, {282, TEXT}, {290, TEXT}, {291, TEXT}, {292, TEXT},
+    {300, TEXT}, {301, TEXT}, {302, TEXT}, {303, TEXT}, {304, TEXT}, {305, TEXT}, {306, TEXT},
+    {309, TEXT}, {355, TEXT}, {401, TEXT}, {402, TEXT}, {404, TEXT}, {405, TEXT}, {406, TEXT},
+    {407, TEXT}, {410, TEXT}, {412, TEXT}, {413, TEXT}, {420, TEXT}, {421, TEXT}, {425, TEXT},
+    {430, TEXT}, {486, TEXT}, {500, TEXT}, {501, TEXT}, {502, TEXT}, {503, TEXT}, {504, TEXT},
+    {555, TEXT}, {557, TEXT}, {566, LIMITS}, {568, TEXT}, {569, TEXT}, {572, TEXT}, {575, TEXT},
+    {592, TEXT}, {593, TEXT}, {600, TEXT | WAITS}, {601, TEXT | WAITS}, {602, TEXT}, {603, TEXT},
+    {851, TEXT}, {CHECKS, TEXT}, {906, TEXT}, {907, TEXT}, {908, TEXT}, {910, TEXT}, {911, TEXT},
+    {912, TEXT}, {913, TEXT}, {914, TEXT}, {915, TEXT}, {919, TEXT}, {116, TEXT | WAITS},
+    {928, TEXT}
 };
 
 // What a code of G is that moves something on a printer and that no text tells: a retraction of the
-// firmware's own, or a probe.
+// firmware's own, a probe, or a way of its own (G12 wipes, G26 prints a mesh, G27 parks).
 static const struct {
     uint32_t letters; // that it may have; 0: any text
     uint16_t tenths;
 } g_codes[] = {
     {NCK_LETTER('S') | NCK_LETTER('P') | NCK_LETTER('R'), 100}, {NCK_LETTER('S'), 110}, {0, 290},
+    {0, 120}, {0, 260}, {0, 270}, {0, 350},
     {NCK_LETTER('X') | NCK_LETTER('Y') | NCK_LETTER('E') | NCK_LETTER('C'), 300},
     {NCK_LETTER('A') | NCK_LETTER('E') | NCK_LETTER('I') | NCK_LETTER('T'), 340}
 };
@@ -145,6 +155,33 @@ const char *nck_printer_text(const nck_decode_t *self, const char *at, unsigned 
         at++;
     }
     return at;
+}
+
+// S or P with a number; 0: neither.
+static char time_at(const char *at) {
+    const char letter = (char)(*at & ~0x20);
+    return (letter == 'S' || letter == 'P') && nck_is_digit(at[1]) ? letter : 0;
+}
+
+static const char *skip_blanks(const char *at) {
+    while (*at == ' ' || *at == '\t') at++;
+    return at;
+}
+
+int nck_printer_pauses(const nck_decode_t *self, double *wait_out) {
+    if (!NCK_HAS_FOREIGN || self->tongue != NCK_TONGUE_MARLIN) return 0;
+    const char *at = self->line.text + self->words.code_column[NCK_STEP_STOP];
+    int pauses = 0;
+    while (nck_is_digit(*at)) at++;
+    for (at = skip_blanks(at); time_at(at) != 0; at = skip_blanks(at)) {
+        const char letter = time_at(at);
+        nck_number_t number;
+        at = nck_number_read(self->line.text, at + 1, &number);
+        const double value = nck_number_real(&number), wait = letter == 'S' ? value : value / 1e3;
+        if (!pauses || letter == 'S') *wait_out = wait < pause_most_s ? wait : pause_most_s;
+        pauses = 1;
+    }
+    return pauses;
 }
 
 nck_status_t nck_printer_checksum(nck_decode_t *self, const char **at) {

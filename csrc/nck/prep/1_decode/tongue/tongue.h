@@ -54,6 +54,10 @@ static inline double nck_decode_plain_mm(const nck_decode_t *self) {
 int nck_printer_speaks(const nck_decode_t *self);
 const char *nck_printer_text(const nck_decode_t *self, const char *at, unsigned step);
 
+// 1 if M0 or M1 goes on by itself, and after how long [s]: S, or P in milliseconds, stands before
+// its text. Cost: linear in the text.
+int nck_printer_pauses(const nck_decode_t *self, double *wait_out);
+
 // One past an M code, and its number: a blank ends it, since text may follow (M117 5 %). NULL: it
 // is none of a printer's. Cost: constant.
 const char *nck_printer_code(const char *at, nck_number_t *out);

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: MIT
+"""A control's own configuration in a machine file's place, and what is in force at its start."""
+
+import random
+
+import configurations
+import pytest
+from command_line import pycnc
+
+from pycnc.machine import Machine, MachineFileError, imported
+
+PART = b"G21 G90\nG0 X1\nG1 X2 F600\n"
+INI = """\
+[RS274NGC]
+RS274NGC_STARTUP_CODE = {code}
+[TRAJ]
+COORDINATES = {axes}
+LINEAR_UNITS = {unit}
+MAX_LINEAR_VELOCITY = 20
+MAX_LINEAR_ACCELERATION = 200
+"""
+
+
+def written(case, folder):
+    """Write a case; return the path of the file that is read."""
+    for name, data in case.files.items():
+        (folder / name).write_bytes(data)
+    return folder / next(iter(case.files))
+
+
+@pytest.mark.sample(6)
+@pytest.mark.parametrize("number", range(60))
+@pytest.mark.parametrize("kind", configurations.KINDS)
+def test_a_configuration_is_the_machine_that_its_import_is(kind, number, draw_seed, tmp_path):
+    case = getattr(configurations, kind)(draw_seed + number)
+    file = written(case, tmp_path)
+    units = ["--units", case.units] if case.units else []
+    imported = pycnc("machine", "import", file, *units)
+    assert imported.code == 0
+    if units:
+        with pytest.raises(MachineFileError, match="pycnc machine import") as told:
+            Machine.load(file)
+        assert "--units mm or --units inch" in str(told.value)
+        return
+    machine = Machine.load(file)
+    assert machine.sha256 == Machine.from_text(imported.out).sha256
+    assert set(machine.not_imported) <= {
+        line.partition("note[not-imported]: ")[2] for line in imported.err.splitlines()
+    }
+    timed = pycnc("check", "-", "-m", file, stdin=PART)
+    assert all(f"{file}: note[not-imported]: {words}" in timed.err.splitlines()
+               for words in machine.not_imported)  # fmt: skip
+    assert "not-imported" not in pycnc("check", "-q", "-", "-m", file, stdin=PART).err
+
+
+@pytest.mark.sample(20)
+@pytest.mark.parametrize("number", range(200))
+def test_a_start_up_code_says_what_is_in_force(number, draw_seed):
+    pen = random.Random(draw_seed + number)
+    unit, units = pen.choice(["mm", "inch"]), pen.choice(["", "G20", "G21"])
+    plane, centre = pen.choice(["", "G17", "g 18", "G19"]), pen.choice(["", "G90.1", "G91.1"])
+    within = pen.choice(["", "G64", "G61", f"G64 P0.0{pen.randrange(1, 9)}"])
+    feed = pen.choice(["", f"F{pen.randrange(1, 900)}"])
+    words = [each for each in (units, plane, centre, within, feed, "G40", "(G55)", "G80") if each]
+    pen.shuffle(words)
+    settings = of_ini(" ".join(words) + pen.choice(["", "  # G91"]), unit).settings
+    scale = {"G20": 25.4, "G21": 1}.get(units, 25.4 if unit == "inch" else 1)
+    dialect, path = settings.dialect, settings.path
+    assert dialect.units == {"G20": "inch", "G21": "mm"}.get(units, unit)
+    assert dialect.plane == int(plane[-2:] or 17)
+    assert dialect.arc_centre == ("absolute" if centre == "G90.1" else "incremental")
+    assert float(dialect.feed_default_mm_min) == pytest.approx(float(feed[1:] or 0) * scale)
+    is_said = within in ("G61",) or "P" in within
+    assert settings.control.g64_without_p == ("tolerance" if is_said else "length")
+    if is_said:
+        told = float(within[5:] or 0) * scale
+        assert float(path.tolerance_mm) == pytest.approx(told)
+
+
+def of_ini(code, unit="mm", axes="XYZ", folder=None):
+    """Return the machine of an INI with a start-up code."""
+    text = INI.format(code=code, unit=unit, axes=axes)
+    return Machine.from_text(imported(text, "mill.ini", folder)[1])
+
+
+@pytest.mark.parametrize("code", ["G91", "G55", "G59.3", "G92", "G93", "G17 G95"])
+def test_a_start_up_code_without_a_key_is_refused(code):
+    with pytest.raises(MachineFileError, match=f"{code.split()[-1]}: a machine file cannot say it"):
+        of_ini(code)
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_a_laser_of_fluidnc_is_one_where_it_is_its_first_tool(seed, tmp_path):
+    pen = random.Random(seed)
+    spindles = pen.sample(["laser", "pwm", "huanyang", "besc", "10V"], pen.randrange(1, 4))
+    numbers = {name: pen.choice([None, *range(4)]) for name in spindles}
+    rows = ["axes:", "  x:", "    max_rate_mm_per_min: 6000"]
+    for name in spindles:
+        rows += [f"{pen.choice([name, name.title()])}:", "  pwm_hz: 5000"]
+        rows += [f"  tool_num: {numbers[name]}"] * (numbers[name] is not None)
+    file = tmp_path / "config.yaml"
+    file.write_text("\n".join([*rows, ""]))
+    first = min(number or 0 for number in numbers.values())
+    is_laser = "laser" in numbers and (numbers["laser"] or 0) == first
+    assert Machine.load(file).settings.control.laser_mode == is_laser
