@@ -194,10 +194,12 @@ def marlin(source):
         source.axis(letter, "v_max", [("m203", own)])
         source.axis(letter, "a_max", [("m201", own)])
         source.own(f"steps_per_mm.{own}", [("m92", own)])
-        if ("m205", "j") not in has:
-            source.own(f"jerk.{own}", [("m205", own)])
-    for key, word in (("acceleration", "p"), ("travel_acceleration", "t"),
-                      ("retract_acceleration", "r")):  # fmt: skip
+        if ("m205", "j") not in has:  # Marlin 1.0 has one number for X and Y
+            source.own(f"jerk.{own}", [("m205", own), *([("m205", "x")] if own == "y" else [])])
+    is_old = ("m204", "s") in has and ("m204", "p") not in has  # S, and T of retractions
+    travel, retract = ("s", "t") if is_old else ("t", "r")
+    for key, word in (("acceleration", "p"), ("travel_acceleration", travel),
+                      ("retract_acceleration", retract)):  # fmt: skip
         source.own(key, [("m204", word), ("m204", "s")])
     source.own("min_segment_time_us", [("m205", "b")])
     _deviation_of_marlin(source)

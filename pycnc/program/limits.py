@@ -10,6 +10,7 @@ from pycnc.kernel.bind import lib
 from pycnc.kernel.records import dtype
 from pycnc.machine.control import PRINTERS
 from pycnc.machine.schema import AXES
+from pycnc.program import states
 
 # Commands of Klipper that move nothing, by how their names begin.
 STILL = (
@@ -85,8 +86,9 @@ def veil(text, machine):
         firsts.setdefault(name, match.start())
         return match[1] + b";" + match[2][1:]
 
-    hidden = found.sub(hide, original)
-    if hidden == original:
+    plain, places = states.restored(original) if begins else (original, [])
+    hidden = found.sub(hide, plain)
+    if hidden == original and not places:
         return original, []
     veiled = Veiled(hidden)
     veiled.original = original
@@ -97,6 +99,9 @@ def veil(text, machine):
         line = original.count(b"\n", 0, place) + 1
         identity = "macro-still" if is_known or name in still else "macro-own"
         findings.append((line, identity, name, counts[name]))
+    if places:
+        line = original.count(b"\n", 0, places[0]) + 1
+        findings.append((line, "macro-still", states.RESTORE, len(places)))
     return veiled, findings
 
 
@@ -107,6 +112,8 @@ def words_of(identity, name, count):
         return f"{name}, {lines}: what follows up to M623 is taken as done", ""
     if name == "SET_VELOCITY_LIMIT":
         return f"{name}, {lines}: moves nothing; its limits hold from there on", ""
+    if identity == "macro-still" and name == states.RESTORE:
+        return f"{name}, {lines}: moves nothing; what was saved holds from there on", ""
     if identity == "macro-still":
         return f"{name}, {lines}: moves nothing, and is skipped", ""
     return (
@@ -135,7 +142,7 @@ def changes(text, machine):
     Each holds from its line on.
     """
     kind = machine.settings.control.kind
-    read = {"klipper": _of_klipper, "marlin": _of_marlin}.get(kind)
+    read = {"klipper": _Klipper(machine).changes, "marlin": _of_marlin}.get(kind)
     if machine.settings.control.reprap:
         read = _of_reprap
     original, rows, line, seen = getattr(text, "original", text), [], 1, 0
@@ -146,11 +153,30 @@ def changes(text, machine):
     return np.array(rows, dtype("nck_host_control_change_t"))
 
 
-def _of_klipper(code, words):
-    if code is None:
-        said = dict(_PAIR.findall(words))
-        return [(_VELOCITY_LIMIT[name], float(to)) for name, to in said.items()
-                if name in _VELOCITY_LIMIT and _is_good(name, float(to))]  # fmt: skip
+class _Klipper:
+    """What Klipper's commands change; of ACCEL_TO_DECEL it makes a ratio of the acceleration in
+    force."""
+
+    def __init__(self, machine):
+        control, path = machine.settings.control, machine.settings.path
+        self._accel = float(control.max_accel or path.a_max_mm_s2 or 0)
+
+    def changes(self, code, words):
+        """Return [(value, to)] of a command."""
+        found = _of_m204(code, words) if code else self._of_command(words)
+        self._accel = dict(found).get(lib.NCK_CONTROL_A_PATH, self._accel)
+        return found
+
+    def _of_command(self, words):
+        said = {name: float(to) for name, to in _PAIR.findall(words)}
+        slow, accel = said.pop(b"ACCEL_TO_DECEL", 0.0), said.get(b"ACCEL", 0.0) or self._accel
+        if slow > 0 and accel > 0:
+            said.setdefault(b"MINIMUM_CRUISE_RATIO", 1 - min(1, slow / accel))
+        return [(_VELOCITY_LIMIT[name], to) for name, to in said.items()
+                if name in _VELOCITY_LIMIT and _is_good(name, to)]  # fmt: skip
+
+
+def _of_m204(code, words):
     said = dict(_WORD.findall(words))
     if code != b"204":
         return []

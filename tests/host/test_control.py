@@ -179,6 +179,21 @@ def test_a_line_of_klipper_keeps_the_limits_that_held_as_it_came(seed, draw_seed
 
 
 @pytest.mark.parametrize("seed", range(12))
+def test_accel_to_decel_is_a_ratio_of_the_acceleration_in_force(seed):
+    rng = random.Random(seed)
+    head, *moves = _text(_walk(rng, 60, 1.0), 150).rsplit("\n", 60)
+    accel, old, share = rng.randrange(300, 4000), rng.randrange(300, 4000), rng.choice((0.2, 1, 1.5))
+    slow = f"ACCEL_TO_DECEL={accel * share:.9g}"
+    words = rng.choice((f"SET_VELOCITY_LIMIT ACCEL={old}\nSET_VELOCITY_LIMIT {slow} ACCEL={accel}",
+                        f"M204 S{accel}\nSET_VELOCITY_LIMIT {slow}",
+                        f"SET_VELOCITY_LIMIT {slow} ACCEL={accel} MINIMUM_CRUISE_RATIO=0.3"))
+    ratio = 0.3 if "RATIO" in words else 1 - min(1, share)
+    plain = f"SET_VELOCITY_LIMIT ACCEL={accel} MINIMUM_CRUISE_RATIO={ratio:.9g}"
+    times = [time_of("\n".join([head, line, *moves]), klipper()) for line in (words, plain)]
+    assert times[0] == pytest.approx(times[1], rel=1e-9)
+
+
+@pytest.mark.parametrize("seed", range(12))
 def test_grbl_is_the_oracle_s(seed):
     rng = random.Random(100 + seed)
     points, feed = _walk(rng, 300, 10 ** rng.uniform(-1, 1)), rng.choice((20, 60, 150))

@@ -225,12 +225,18 @@ def marlin(seed):
     accel, a_of = _words(pen, "M201", letters, (50, 5000), name="a_max_mm_s2")
     steps, _ = _words(pen, "M92", letters, (80, 400), name="steps")
     deviation = Decimal(pen.random.randrange(1, 300)) / 10_000 + Decimal("0.00001")
+    own = ["M204 P500.00 R800 T1500", f"M205 B20000.00 S0.00 T0.00 J{deviation}"]
+    corner = {"control.junction_deviation": deviation, "control.retract_acceleration": Decimal(800),
+              "control.travel_acceleration": Decimal(1500)}  # fmt: skip
+    if pen.random.random() < 0.3:  # Marlin 1.0
+        own = ["M204 S500.00 T700.00", "M205 S0.00 T0.00 B20000 X12.50 Z0.40 E5.00"]
+        corner = {"control.jerk.x": Decimal("12.5"), "control.jerk.y": Decimal("12.5"),
+                  "control.retract_acceleration": Decimal(700),
+                  "control.travel_acceleration": Decimal(500)}  # fmt: skip
     echo = pen.random.choice(["", "echo:", "echo:  ", "Recv: echo:  "])  # the last: OctoPrint's log
-    lines = ["Steps per unit:", steps, speed, "; Acceleration", accel, "M204 P500.00 R800 T1500",
-             f"M205 B20000.00 S0.00 T0.00 J{deviation}", "M851 X0 Y0 Z-1", "M420 S0"]  # fmt: skip
-    expected = v_of | a_of | {"control.acceleration": Decimal(500),
-                              "control.travel_acceleration": Decimal(1500),
-                              "control.junction_deviation": deviation}  # fmt: skip
+    lines = ["Steps per unit:", steps, speed, "; Acceleration", accel, *own, "M851 X0 Y0 Z-1",
+             "M420 S0"]  # fmt: skip
+    expected = v_of | a_of | corner | {"control.acceleration": Decimal(500)}
     stamp = pen.random.choice(STAMPS)
     lines = [f"{stamp}{echo}{line}" for line in lines] + ["ok"]
     return Case(pen.encoded("m503.txt", lines), expected, "marlin", None)
