@@ -141,7 +141,8 @@ _STARTS = {  # codes of a start-up code → what a machine file says for it
     "G8": ("diameter", False), "G17": ("plane", 17), "G18": ("plane", 18), "G19": ("plane", 19),
     "G90.1": ("arc_centre", "absolute"), "G91.1": ("arc_centre", "incremental"),
 }  # fmt: skip
-_STARTS_NOWHERE = re.compile(r"G(91|92|93|95|5[5-9](\.[123])?)")  # what it has no key for
+_STARTS_NOWHERE = re.compile(r"G9[1235]")  # what it has no key for
+_SYSTEMS = re.compile(r"G5[5-9](\.[123])?")
 
 
 def _startup(source, unit):
@@ -159,6 +160,8 @@ def _startup(source, unit):
         source.draft.problems.append(
             ("RS274NGC_STARTUP_CODE", f"{name}: a machine file cannot say it; let the programs do")
         )
+    for name in filter(_SYSTEMS.fullmatch, codes):
+        source.draft.left.append(f"{told}: {name}; programs begin in G54, whose zero nobody knows")
     scale = _MM["inch"] if "G20" in codes else _MM["mm"] if "G21" in codes else unit
     if feed := dict(words).get("F"):
         source.draft.put("dialect.feed_default_mm_min", feed * scale, told)

@@ -182,7 +182,8 @@ def test_a_line_of_klipper_keeps_the_limits_that_held_as_it_came(seed, draw_seed
 def test_accel_to_decel_is_a_ratio_of_the_acceleration_in_force(seed):
     rng = random.Random(seed)
     head, *moves = _text(_walk(rng, 60, 1.0), 150).rsplit("\n", 60)
-    accel, old, share = rng.randrange(300, 4000), rng.randrange(300, 4000), rng.choice((0.2, 1, 1.5))
+    accel, old = rng.randrange(300, 4000), rng.randrange(300, 4000)
+    share = rng.choice((0.2, 1, 1.5))
     slow = f"ACCEL_TO_DECEL={accel * share:.9g}"
     words = rng.choice((f"SET_VELOCITY_LIMIT ACCEL={old}\nSET_VELOCITY_LIMIT {slow} ACCEL={accel}",
                         f"M204 S{accel}\nSET_VELOCITY_LIMIT {slow}",

@@ -83,10 +83,17 @@ def of_ini(code, unit="mm", axes="XYZ", folder=None):
     return Machine.from_text(imported(text, "mill.ini", folder)[1])
 
 
-@pytest.mark.parametrize("code", ["G91", "G55", "G59.3", "G92", "G93", "G17 G95"])
+@pytest.mark.parametrize("code", ["G91", "G92", "G93", "G17 G95"])
 def test_a_start_up_code_without_a_key_is_refused(code):
     with pytest.raises(MachineFileError, match=f"{code.split()[-1]}: a machine file cannot say it"):
         of_ini(code)
+
+
+@pytest.mark.parametrize("code", ["G55", "G59.1", "G20 G59"])
+def test_a_start_up_code_with_a_work_system_says_so(code):
+    text = INI.format(code=code, unit="mm", axes="XZ")
+    draft, _ = imported(text, "mill.ini")
+    assert f"start-up code {code}: {code.split()[-1]}" in "\n".join(draft.left)
 
 
 @pytest.mark.parametrize("seed", range(40))
