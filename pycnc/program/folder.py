@@ -45,8 +45,11 @@ def joined(text, folder, base):
     fanuc, pieces, at = base == _FANUC, [text], 0
     there = set(_begun(text))
     while at < len(pieces):
-        for name in _called(pieces[at], fanuc):
-            file = None if name in there else _find(known, name)
+        for names in _called(pieces[at], fanuc):
+            if any(name in there for name in names):
+                continue
+            found = ((name, _find(known, name)) for name in names)
+            name, file = next((each for each in found if each[1]), (names[-1], None))
             there.add(name)
             if file:
                 pieces.append(_read(file, name))
@@ -74,11 +77,13 @@ def _name(word):
 
 
 def _called(text, fanuc):
+    """Yield the names of what is called: the first that there is counts."""
     for line in text.splitlines():
         for match in _CALLS[fanuc].finditer(_REMARK.sub(b"", line)):
             name = _name(next(filter(None, match.groups())))
             number = int(name) if name.isdecimal() else 0
-            yield str(number % _LAST_DIGITS) if fanuc and number >= _LAST_DIGITS else name
+            splits = fanuc and number >= _LAST_DIGITS
+            yield (name, str(number % _LAST_DIGITS)) if splits else (name,)
 
 
 def _begun(text):

@@ -10,7 +10,7 @@ from pycnc.kernel.bind import lib
 from pycnc.kernel.records import dtype
 from pycnc.machine.control import PRINTERS
 from pycnc.machine.schema import AXES
-from pycnc.program import states
+from pycnc.program.states import RESTORE, restored
 
 # Commands of Klipper that move nothing, by how their names begin.
 STILL = (
@@ -86,7 +86,7 @@ def veil(text, machine):
         firsts.setdefault(name, match.start())
         return match[1] + b";" + match[2][1:]
 
-    plain, places = states.restored(original) if begins else (original, [])
+    plain, places = restored(original) if begins else (original, [])
     hidden = found.sub(hide, plain)
     if hidden == original and not places:
         return original, []
@@ -101,7 +101,7 @@ def veil(text, machine):
         findings.append((line, identity, name, counts[name]))
     if places:
         line = original.count(b"\n", 0, places[0]) + 1
-        findings.append((line, "macro-still", states.RESTORE, len(places)))
+        findings.append((line, "macro-still", RESTORE, len(places)))
     return veiled, findings
 
 
@@ -112,7 +112,7 @@ def words_of(identity, name, count):
         return f"{name}, {lines}: what follows up to M623 is taken as done", ""
     if name == "SET_VELOCITY_LIMIT":
         return f"{name}, {lines}: moves nothing; its limits hold from there on", ""
-    if identity == "macro-still" and name == states.RESTORE:
+    if identity == "macro-still" and name == RESTORE:
         return f"{name}, {lines}: moves nothing; what was saved holds from there on", ""
     if identity == "macro-still":
         return f"{name}, {lines}: moves nothing, and is skipped", ""

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What a program of LinuxCNC's language says to its operator: (MSG, …), (DEBUG, …), (PRINT, …).
+"""What a program of LinuxCNC's language says to its operator: (MSG, …), (DEBUG, …), (PRINT, …);
+what one of Fanuc's puts out: DPRNT[…], BPRNT[…].
 
 They are found in the text. Numbers that DEBUG and PRINT put in are those of a run: a copy of the
 text is decoded that hands each of them over where it is said. A line that no run comes to is told,
@@ -13,6 +14,8 @@ from pycnc import kernel
 from pycnc.kernel.bind import lib
 
 _SPEAKS = re.compile(rb"\([ \t]*(MSG|DEBUG|PRINT)[ \t]*,([^()\n]*)\)", re.I)
+_PUTS_OUT = re.compile(rb"^[ \t]*(?:/\d?[ \t]*)?(?:N *\d+[ \t]*)?([DB]PRNT[ \t]*\[[^\n(;]*)",
+                       re.I | re.M)  # fmt: skip
 _COMMENT = re.compile(rb"\([^()\n]*\)|;[^\n]*")
 _FLOW = re.compile(rb"[ \t]*(/\d?)?[ \t]*(N *\d+)?[ \t]*O", re.I)  # says nothing, as there
 _SETS = re.compile(rb"#\s*(\d+|<[^>]*>|\[)[^=(;]*=")
@@ -54,12 +57,25 @@ def found(text, machine, last):
 
     Of several comments of a line the last one counts, as in LinuxCNC.
     """
+    if machine.settings.dialect.base == "fanuc":
+        yield from _put_out(text, last)
     if machine.settings.dialect.base != "linuxcnc":
         return
     remarks = list(_remarks(text, machine, last))
     values = _values(text, machine, remarks)
     for remark in remarks:
         yield remark.number, remark.column, _told(remark, values.get(remark.number))
+
+
+def _put_out(text, last):
+    number, seen = 1, 0
+    for match in _PUTS_OUT.finditer(text):
+        number += text.count(b"\n", seen, match.start(1))
+        seen = match.start(1)
+        if last and number > last:
+            return
+        said = match[1].strip().decode("utf-8", errors="replace")
+        yield number, 1, f"puts out what moves nothing: {said}"
 
 
 def _remarks(text, machine, last):

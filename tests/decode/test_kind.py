@@ -23,7 +23,7 @@ def text_of(kind, seed):
     """Return a random program of a kind."""
     rng = random.Random(seed)
     if kind == "a print":
-        lines = [rng.choice(("M104 S200", "M140 S60", "M82", "N4 M190 S60")), "G21 G90"]
+        lines = [rng.choice(("M104 S200", "M140 S60", "N4 M190 S60")), "G21 G90"]
         lines += [f"G1 X{number(rng)} Y{number(rng)} E{k}.5 F900" for k in range(30)]
     elif kind == "a Klipper print":
         words = ("EXCLUDE_OBJECT_DEFINE NAME=a", "SET_VELOCITY_LIMIT ACCEL=900", "START_PRINT B=60")

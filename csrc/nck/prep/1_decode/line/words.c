@@ -234,12 +234,26 @@ static nck_status_t skip_rest(nck_decode_t *self, const char **at) {
     return NCK_OK;
 }
 
+// Fanuc's <NAME> of a program, which stands first in its line.
+static nck_status_t read_program_name(nck_decode_t *self, const char **at) {
+    const nck_words_t *const words = &self->words;
+    const int is_first = words->codes == 0 && words->letters == 0;
+    const char *end = *at;
+    while (*end != '>' && *end != '\n') end++;
+    if (!(self->tongue & NCK_TONGUES_FANUC) || !is_first || *end == '\n') {
+        return fail_character(self, *at);
+    }
+    *at = end + 1;
+    return NCK_OK;
+}
+
 // What begins with another sign, or is a mistake.
 static nck_status_t read_sign(nck_decode_t *self, const char **at) {
     switch (**at) {
     case ':': return nck_decode_o_word(self, at);
     case ',': return read_corner(self, at);
     case '/': return skip_rest(self, at);
+    case '<': return read_program_name(self, at);
     case '@':
     case '^': return NCK_HAS_LAYOUTS ? nck_polar_read(self, at) : fail_character(self, *at);
     case '*':

@@ -6,7 +6,7 @@
 
 #include <stddef.h> // NULL
 
-enum { COUNT_MOST = 1000000, PROGRAM_MOST = 99999999, FANUC_PROGRAM_MOST = 9999 };
+enum { COUNT_MOST = 1000000, PROGRAM_MOST = 99999999 };
 
 static nck_status_t begin_locals(nck_decode_t *self, nck_frame_kind_t kind, int modal) {
     nck_macro_t *const macro = &self->macro;
@@ -59,18 +59,14 @@ nck_status_t nck_call_return(nck_decode_t *self) {
 
 enum { LINES = 970 }; // M97 P: the lines from N… on
 
-// P: the program; L: how often. Fanuc writes both into P: 0031000 is three times 1000.
+// P: the program; L: how often. Fanuc writes both into P, where no program has such a name
+// (jump.c).
 static nck_status_t read_target(nck_decode_t *self, int64_t *program, int64_t *count) {
-    const int fanuc = nck_is_fanuc(self) && self->words.code[NCK_STEP_CALL] != LINES;
     nck_status_t status = nck_decode_whole(self, 'P', PROGRAM_MOST, -1, program);
     if (status == NCK_OK) status = nck_decode_whole(self, 'L', COUNT_MOST, 1, count);
     if (status != NCK_OK) return status;
     if (*program <= 0) {
         return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_CALL, 'P', 0.0, 0.0);
-    }
-    if (fanuc && *program > FANUC_PROGRAM_MOST) {
-        *count *= *program / (FANUC_PROGRAM_MOST + 1);
-        *program %= FANUC_PROGRAM_MOST + 1;
     }
     return NCK_OK;
 }

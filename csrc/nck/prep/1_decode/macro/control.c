@@ -163,9 +163,10 @@ static nck_status_t end_loop(nck_decode_t *self, const char *at) {
 }
 
 nck_status_t nck_decode_control(nck_decode_t *self, const char **at) {
-    enum { NONE, IF, GOTO, WHILE, DO };
+    enum { NONE, IF, GOTO, WHILE, DO, END };
     const char *end = NULL;
-    const unsigned word = nck_decode_listed(*at, "IF GOTO WHILE DO END ", &end);
+    const unsigned word = nck_decode_listed(*at, "IF GOTO WHILE DO END POPEN PCLOS DPRNT BPRNT ",
+                                            &end);
     if (word == NONE || nck_is_letter(*nck_decode_skip(end))) return NCK_EMPTY;
     if (!NCK_HAS_CALLS) return fail_at(self, *at, NCK_E_UNSUPPORTED);
     const nck_status_t speaks = nck_decode_only(self, *at, NCK_TONGUES_FANUC);
@@ -177,5 +178,6 @@ nck_status_t nck_decode_control(nck_decode_t *self, const char **at) {
     if (word == WHILE) return while_loop(self, at);
     const char *const behind = *at;
     *at = end_of_line(self);
+    if (word > END) return NCK_OK; // what is printed moves nothing
     return word == DO ? do_loop(self, behind, 1) : end_loop(self, behind);
 }

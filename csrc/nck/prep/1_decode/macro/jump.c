@@ -2,11 +2,15 @@
 // Jumps: the frames of calls and loops, and lines passed over until what is looked for comes.
 #include "nck/prep/1_decode/macro/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail nck_decode_find
+#include "nck/base/real.h" // nck_min
 
 #include <stddef.h> // NULL
 #include <string.h> // memset
 
+enum { PROGRAMS = 10000 }; // Fanuc's names of programs have four digits
+
 static const nck_text_place_t beginning = {0, 0, 0};
+static const double count_most = 1e6;
 
 nck_status_t nck_decode_fail_last(nck_decode_t *self, nck_status_t code, double value,
                                   double limit) {
@@ -132,8 +136,7 @@ void nck_seek(nck_decode_t *self, nck_seek_kind_t kind, uint64_t key) {
     macro->jumped = 1;
 }
 
-nck_status_t nck_seek_called(nck_decode_t *self, nck_seek_kind_t kind, uint64_t key) {
-    if (!NCK_HAS_CALLS) return NCK_E_UNSUPPORTED;
+static nck_status_t seek_named(nck_decode_t *self, nck_seek_kind_t kind, uint64_t key) {
     const nck_label_t *const label = known(&self->macro, kind, key);
     if (label != NULL) {
         // What was called begins here.
@@ -144,6 +147,28 @@ nck_status_t nck_seek_called(nck_decode_t *self, nck_seek_kind_t kind, uint64_t 
     }
     nck_seek(self, kind, key);
     return NCK_OK;
+}
+
+// Fanuc's P of a call says how often, too, where no program has all of it for its name: 31235 is
+// three times 1235.
+static nck_status_t seek_split(nck_decode_t *self, uint64_t key) {
+    nck_frame_t *const frame = nck_frame_call(self);
+    const uint64_t count = frame->count > 0 ? frame->count : 1;
+    self->macro.absent = key;
+    frame->key = key % PROGRAMS;
+    frame->count = (uint32_t)nck_min((double)(count * (key / PROGRAMS)), count_most);
+    return seek_named(self, NCK_SEEK_PROGRAM, frame->key);
+}
+
+static int splits(const nck_decode_t *self, nck_seek_kind_t kind, uint64_t key) {
+    return kind == NCK_SEEK_PROGRAM && nck_is_fanuc(self) && key >= PROGRAMS
+           && key % PROGRAMS != 0;
+}
+
+nck_status_t nck_seek_called(nck_decode_t *self, nck_seek_kind_t kind, uint64_t key) {
+    if (!NCK_HAS_CALLS) return NCK_E_UNSUPPORTED;
+    if (splits(self, kind, key) && self->macro.absent == key) return seek_split(self, key);
+    return seek_named(self, kind, key);
 }
 
 // A place of the same program that has been read.
@@ -163,9 +188,16 @@ nck_status_t nck_seek_number(nck_decode_t *self, uint64_t number) {
     return NCK_OK;
 }
 
+// What is looked for is nowhere. NCK_OK: something else is looked for.
 static nck_status_t fail_seek(nck_decode_t *self) {
-    const uint32_t kind = self->macro.seek.kind;
+    const uint32_t kind = self->macro.seek.kind, from = self->macro.seek.from;
     const uint64_t key = self->macro.seek.key;
+    if (splits(self, (nck_seek_kind_t)kind, key)) {
+        self->macro.seek.kind = NCK_SEEK_NOT;
+        const nck_status_t status = seek_split(self, key);
+        self->macro.seek.from = from;
+        return status;
+    }
     const int label = kind <= NCK_SEEK_NUMBER;
     const int backward = label && !self->macro.reads;
     self->line.tag = self->macro.seek.from;
@@ -180,7 +212,8 @@ nck_status_t nck_seek_wrap(nck_decode_t *self) {
     const nck_frame_t *const frame = nck_frame_call(self);
     const int own = macro->seek.kind == NCK_SEEK_NUMBER && frame != NULL;
     if (!macro->reads || macro->seek.wrapped || macro->seek.kind > NCK_SEEK_NUMBER) {
-        return fail_seek(self);
+        const nck_status_t status = fail_seek(self);
+        if (status != NCK_OK || macro->seek.kind == NCK_SEEK_NOT) return status;
     }
     macro->seek.wrapped = 1;
     return nck_jump(self, own ? &frame->begin : &beginning);
@@ -235,7 +268,9 @@ nck_status_t nck_seek_pass(nck_decode_t *self) {
     nck_decode_sign(self, &sign);
     if (is_found(self, &sign)) return found(self, &sign);
     if (macro->seek.wrapped) {
-        return macro->line.offset >= macro->seek.begin ? fail_seek(self) : NCK_EMPTY;
+        if (macro->line.offset < macro->seek.begin) return NCK_EMPTY;
+        const nck_status_t status = fail_seek(self);
+        return status == NCK_OK ? NCK_EMPTY : status;
     }
     return macro->seek.kind == NCK_SEEK_NUMBER ? pass_on(self, &sign) : NCK_EMPTY;
 }

@@ -144,9 +144,11 @@ static nck_status_t read_centre(nck_decode_t *self, course_t *course) {
     const uint32_t both = NCK_LETTER(letters[0]) | NCK_LETTER(letters[1]);
     const uint32_t said = self->words.letters & NCK_LETTERS_CENTRE;
     const uint32_t strange = said & ~both;
+    const char letter = (char)first_of(strange);
+    const int is_none = nck_is_fanuc(self) && !(nck_fabs(nck_word_real(self, letter)) > 0.0);
 
-    if (strange != 0) {
-        return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, first_of(strange), 0.0, 0.0);
+    if (strange != 0 && !is_none) { // Fanuc's K0. says nothing
+        return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, letter, 0.0, 0.0);
     }
     if (said == 0) return fail_arc(self, NCK_E_ARC_CENTRE, 0.0, 0.0);
     nck_decode_assume(self, NCK_NOTE_ARC_CENTRE);

@@ -105,6 +105,7 @@ typedef NCK_MACRO_STATE nck_macro {
     uint32_t depth;
     nck_label_t label[NCK_DECODE_LABELS];
     uint32_t labels;        // met so far
+    uint64_t absent;        // of a P that names no program as it is; 0: none yet
     uint64_t modal;         // G66: the program, called behind every move; 0: none
     uint32_t modal_base;    // macro.base where G66 stood
 
