@@ -9,8 +9,8 @@
 #include "nck/base/link_invariants.h" // nck_link_invariants
 #include "nck/base/real.h"            // nck_larger nck_rounded
 
-// Thousands of instructions: of any room's step, of a tick, of one whose clock brakes or sets off.
-enum { PRICE_LEAST = 4, PRICE_TICK = 6, PRICE_EASES = 80 };
+// Hundreds of instructions: of any room's step, of a tick, of one whose clock brakes or sets off.
+enum { PRICE_LEAST = 40, PRICE_TICK = 60, PRICE_EASES = 800 };
 
 // ---- memory
 
@@ -395,7 +395,8 @@ const nck_node_t *nck_piece(const nck_t *nck, uint32_t i) {
 
 uint32_t nck_price(nck_t *nck) {
     const uint32_t plan = nck_slope_price(&nck->slope);
-    const uint32_t path = nck_larger(nck_smooth_price(&nck->smooth), PRICE_LEAST);
+    const uint32_t smooth = nck_smooth_price(&nck->smooth);
+    const uint32_t path = smooth > 0 ? smooth : (uint32_t)PRICE_LEAST;
     return nck_slope_is_clocked(&nck->slope) && plan > 0 ? plan : nck_larger(plan, path);
 }
 

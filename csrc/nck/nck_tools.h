@@ -54,7 +54,7 @@ nck_status_t nck_end_pieces(nck_t *nck, uint32_t blocks);
 // final, its envelope may not be. NULL: not known yet. Cost: constant. Context: prep.
 const nck_node_t *nck_piece(const nck_t *nck, uint32_t i);
 
-// What the next nck_prep takes at most, or little more, in thousands of instructions of a PC, up to
+// What the next nck_prep takes at most, or little more, in hundreds of instructions of a PC, up to
 // three axes: for who has so many in a period. Cost: constant. Context: prep.
 uint32_t nck_price(nck_t *nck);
 

@@ -449,11 +449,14 @@ nck_status_t nck_motion_step(nck_motion_t *self) {
 }
 
 uint32_t nck_motion_price(const nck_motion_t *self) {
-    const uint32_t axes = (uint32_t)self->limited;
+    static const uint8_t pass[][2] = {{55, 0}, {12, 6}, {24, 18}, {107, 0}, {16, 16}, {27, 0},
+                                      {12, 10}, {0, 0}}; // as it is, and for each axis
+    static const uint8_t rough[][2] = {{19, 9}, {13, 8}};
     const int is_rough = (self->wish.ends & NCK_MOTION_COARSE) != 0;
-    if (self->phase == SOLVE) return 11;
-    if (is_rough) return (3 * axes + 1) / 2;
-    return self->phase == ASSEMBLE ? (8 * axes + 2) / 3 : 2 * axes;
+    const uint8_t *price = pass[self->phase];
+    if (is_rough && self->phase == ASSEMBLE) price = rough[0];
+    if (is_rough && self->phase == DIRECT) price = rough[1];
+    return price[0] + price[1] * (uint32_t)self->limited;
 }
 
 nck_num nck_motion_b(const nck_motion_t *self, int k) { return self->b[k + 1]; }

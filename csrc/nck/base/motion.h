@@ -196,7 +196,7 @@ void nck_motion_node(nck_motion_t *self, int k, const nck_num *p1, const nck_num
 // Context: prep only.
 nck_status_t nck_motion_step(nck_motion_t *self);
 
-// What the next step takes at most, in thousands of a PC's instructions without vectors.
+// What the next step takes at most, in hundreds of a PC's instructions without vectors.
 // Cost: constant. Context: prep only.
 uint32_t nck_motion_price(const nck_motion_t *self);
 

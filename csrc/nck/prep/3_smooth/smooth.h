@@ -79,7 +79,7 @@ int nck_smooth_is_empty(const nck_smooth_t *self);
 // enough for a window. Behind NCK_EMPTY. Cost: constant. Context: prep.
 void nck_smooth_hurry(nck_smooth_t *self);
 
-// What the next step of a clocked path takes at most, in thousands of a PC's instructions; 0: there
+// What the next step of a clocked path takes at most, in hundreds of a PC's instructions; 0: there
 // is none. Cost: constant. Context: prep.
 uint32_t nck_smooth_price(nck_smooth_t *self);
 

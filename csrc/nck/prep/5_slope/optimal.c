@@ -289,9 +289,9 @@ nck_status_t nck_optimal_step(nck_optimal_t *self, const nck_pieces_t *pieces) {
 uint32_t nck_optimal_price(const nck_optimal_t *self) {
     switch (NCK_HAS_OPTIMAL ? self->phase : (uint32_t)PHASE_LAY) {
     case PHASE_LAY: return 0;
-    case PHASE_FILL: return 10;
+    case PHASE_FILL: return 98;
     case PHASE_SOLVE: return nck_motion_price(&self->motion);
-    default: return 9;
+    default: return 80;
     }
 }
 

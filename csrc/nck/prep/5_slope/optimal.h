@@ -77,7 +77,7 @@ void nck_optimal_begin(nck_optimal_t *self, const nck_job_t *job);
 // nck_motion_step, 4 nodes or up to 39 cells. Context: prep.
 nck_status_t nck_optimal_step(nck_optimal_t *self, const nck_pieces_t *pieces);
 
-// What the next step takes at most, in thousands of a PC's instructions; 0: it may wait for pieces.
+// What the next step takes at most, in hundreds of a PC's instructions; 0: it may wait for pieces.
 // Cost: constant. Context: prep.
 uint32_t nck_optimal_price(const nck_optimal_t *self);
 

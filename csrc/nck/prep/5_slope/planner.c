@@ -71,7 +71,7 @@ void nck_planner_hurry(nck_slope_t *self) {
 }
 
 uint32_t nck_planner_price(const nck_slope_t *self) {
-    if (nck_planner_kind(self) != NCK_SLOPE_OPTIMAL) return NCK_PROFILE > 1024 ? 12 : 4;
+    if (nck_planner_kind(self) != NCK_SLOPE_OPTIMAL) return NCK_PROFILE > 1024 ? 120 : 40;
     return nck_optimal_price(NCK_OPTIMAL_AT(self, optimal));
 }
 

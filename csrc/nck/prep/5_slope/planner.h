@@ -21,7 +21,7 @@ void nck_planner_begin(nck_slope_t *self, const nck_job_t *job);
 nck_status_t nck_planner_step(nck_slope_t *self, const nck_pieces_t *pieces);
 void nck_planner_hurry(nck_slope_t *self);
 
-// What the next step of the plan in work takes at most, in thousands of a PC's instructions; 0: it
+// What the next step of the plan in work takes at most, in hundreds of a PC's instructions; 0: it
 // may wait for pieces. Cost: constant.
 uint32_t nck_planner_price(const nck_slope_t *self);
 

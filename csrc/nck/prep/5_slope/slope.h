@@ -121,7 +121,7 @@ static inline int nck_slope_is_answering(const nck_slope_t *self) {
     return self->answer.pending != 0;
 }
 
-// What the next step takes at most, in thousands of a PC's instructions; 0: other rooms may have
+// What the next step takes at most, in hundreds of a PC's instructions; 0: other rooms may have
 // their turn. Cost: constant. Context: prep.
 uint32_t nck_slope_price(const nck_slope_t *self);
 
