@@ -10,7 +10,7 @@
 #include "nck/base/real.h"            // nck_larger nck_rounded
 
 // Hundreds of instructions: of any room's step, of a tick, of one whose clock brakes or sets off.
-enum { PRICE_LEAST = 40, PRICE_TICK = 60, PRICE_EASES = 800 };
+enum { PRICE_LEAST = 40, PRICE_TICK = 60, PRICE_EASES = 1280 };
 
 // ---- memory
 
