@@ -225,12 +225,15 @@ static int step(planner_t *self) {
 
 void feed_prepare(planner_t *self) {
     enum { PARTS = 10 }; // the kernel tells hundreds of instructions
+    const uint32_t most = PARTS * self->budget;
     uint32_t done = nck_tick_price(&self->nck);
     uint32_t price = nck_price(&self->nck);
+    int more = 1;
     do {
         done += price;
-        if (!step(self)) break;
+        more = step(self);
         price = nck_price(&self->nck);
-    } while (done + price <= PARTS * self->budget);
+    } while (more && done + price <= most);
+    if (more && self->told.v > 0.0) hurry(self); // a plan of less than its window comes in time
     self->told.work = done / PARTS;
 }
