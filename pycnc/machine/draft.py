@@ -14,6 +14,7 @@ JERK_RISE_S = Decimal("0.05")  # where nobody says: so long until the highest ac
 OWN_DEFAULT = "not in the source: the control's own default"
 _OF_LINE = re.compile(r"(\S+ )?line \d+: ")  # a comment that quotes one
 _WIDTH = 98
+_PLACES = ("start", "home.g28", "home.g30")
 _DIGITS = 20  # before the point; six behind it are kept
 
 
@@ -48,6 +49,13 @@ class Draft:
         is_free = quantity in ("min", "max") and abs(value) > TRAVEL_LIMIT
         self.put(key, "free" if is_free else value, comment)
 
+    def homes(self, letter, place, comment):
+        """Say where an axis stands once it is homed, if that is within its travel."""
+        low, high = (self.limit(letter, end) for end in ("min", "max"))
+        if (low is None or low <= place) and (high is None or place <= high):
+            for table in ("start", "home.g28"):
+                self.put(f"{table}.{position_key(letter)}", place, comment)
+
     def limit(self, letter, quantity):
         """Return a limit of an axis; None if it is not set."""
         found = (
@@ -76,8 +84,8 @@ class Draft:
         low, high = (self.limit(letter, end) for end in ("min", "max"))
         place = max(low if low is not None else 0, min(high if high is not None else 0, 0))
         if place != 0:
-            for table in ("start", "home.g28", "home.g30"):
-                self.put(f"{table}.{position_key(letter)}", place, "0 is outside of the travel")
+            for key in (f"{table}.{position_key(letter)}" for table in _PLACES):
+                self.values.setdefault(key, (place, "0 is outside of the travel"))
 
     def sourced(self, problems):
         """Return problems of keys, with what the values were made of; of each line the first.

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
 """What the configurations of printers mean: Klipper, Marlin, RepRapFirmware."""
 
+import re
 from decimal import Decimal
 
 from pycnc.machine.schema import AXES
 
+_NUMBER = re.compile(r"-?(\d+\.?\d*|\.\d+)")
 _PI = Decimal("3.14159265358979")
 
 
@@ -32,6 +34,7 @@ def klipper(source):
         source.axis(letter, "a_max", [("printer", f"max_{letter}_accel"), ("printer", "max_accel")])
         if not travel:
             _straight(source, letter, f"stepper_{letter}")
+    _safe_home(source)
     if travel:
         source.axes.update(each for each in source.form.heads.values() if _is_rail(each))
         travel(source)
@@ -45,6 +48,15 @@ def klipper(source):
         _extruder(source)
         letters = [*letters, _filament(source)]
     return letters
+
+
+def _safe_home(source):
+    """Where X and Y stand while Z is homed, and then stay."""
+    words = source.word(("safe_z_home", "home_xy_position"))
+    said = re.fullmatch(r"([-\d.]+)\s*,\s*([-\d.]+)", words or "")
+    for letter, text in zip("xy", said.groups() if said else (), strict=False):
+        if _NUMBER.fullmatch(text):
+            source.draft.homes(letter, Decimal(text), "[safe_z_home]")
 
 
 def _filament(source):
@@ -63,6 +75,9 @@ def _straight(source, letter, section):
     source.axis(letter, "max", [(section, "position_max")])
     if source.draft.limit(letter, "min") is None:
         source.draft.axis(letter, "min", Decimal(0), "position_min is 0 unless it is told")
+    place, comment = source.number((section, "position_endstop"))
+    if place is not None:
+        source.draft.homes(letter, place, comment)
 
 
 def _round(source, *keys):
@@ -81,6 +96,7 @@ def _height(source):
     least = min((end for end in ends if end[0] is not None), default=None)
     if least:
         source.draft.axis("z", "max", *least)
+        source.draft.homes("z", *least)
 
 
 def _delta(source):
@@ -287,6 +303,18 @@ def _travel_of_reprap(source, letters):
         _round(source, ("m665", "b"), ("m665", "r"))
         source.axis("z", "min", [("m208.1", "z")], default=Decimal(0))
         source.axis("z", "max", [("m665", "h")])
+        height, comment = source.number(("m665", "h"))
+        if height is not None:
+            source.draft.homes("z", height, comment)
     for letter in letters if number != 3 else ():
         source.axis(letter, "min", [("m208.1", letter)], default=Decimal(0))
         source.axis(letter, "max", [("m208.0", letter)], default=Decimal(200))
+        _switch_of_reprap(source, letter)
+
+
+def _switch_of_reprap(source, letter):
+    """M574: the switch is at the lower end (1), or the upper one (2)."""
+    which, comment = source.number(("m574", letter))
+    if which in (1, 2):
+        source.draft.homes(letter, source.draft.limit(letter, "min" if which == 1 else "max"),
+                           comment)  # fmt: skip
