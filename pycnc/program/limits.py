@@ -19,10 +19,13 @@ STILL = (
     "SET_GCODE_VARIABLE", "SAVE_VARIABLE", "SAVE_GCODE_STATE", "SET_RETRACTION", "SET_TMC",
     "SET_IDLE_TIMEOUT", "SET_PRINT_STATS_INFO", "SET_STEPPER_ENABLE", "TURN_OFF_HEATERS",
     "TEMPERATURE_WAIT", "ACTIVATE_EXTRUDER", "BED_MESH_PROFILE", "BED_MESH_CLEAR", "RESPOND",
-    "STATUS", "M211",
+    "STATUS", "M211", "SET_FILAMENT_SENSOR", "QUERY", "GET_POSITION", "SET_SERVO", "SET_DIGIPOT",
+    "SET_SKEW", "SKEW_PROFILE", "SYNC_EXTRUDER_MOTION", "SET_EXTRUDER_ROTATION_DISTANCE",
 )  # fmt: skip
 # Long enough to be no word of a letter and a number, and no O word; M211 Klipper does not know.
-_MACRO = re.compile(rb"(?m)^([ \t]*)([A-Za-z_][A-Za-z_][A-Za-z0-9_]*|[Mm]211)(?=[ \t;#\r\n]|\Z)")
+_MACRO = re.compile(
+    rb"(?m)^([ \t]*)([A-Za-z_][A-Za-z_][A-Za-z0-9_]*|[Mm]211|@\w+)(?=[ \t;#\r\n]|\Z)"
+)
 # Bambu's firmware is Marlin's but for these: codes of its own, and others with words of its own.
 _IS_BAMBU = re.compile(rb"(?m)^[ \t]*M1002\b")
 _BEGINNING = 1 << 18  # bytes in which a print shows whose it is
@@ -35,6 +38,8 @@ _BAMBU_STILL = frozenset(
     "M1002 M1003 M1004 M1006 M1007 M73.2 M960 M975 M981 M982 M982.2 M982.4 M991 M622 M623 M624 "
     "M625 M628 M629 M630 M221 G29.1 G29.2 G392 T255 T1000".split()
 )
+# What a host hears, and never sends; ways of Prusa's firmware with filament.
+_HOST = re.compile(rb"(?m)^([ \t]*)(@\w+|T[xc?](?=[ \t;\r\n]|\Z)|M70[12](?![\d.]))")
 _LIMIT = re.compile(
     rb"(?im)^[ \t]*(?:N\d+[ \t]*)?(?:M[ \t]*(20[1345]|566)(?![.\d])|(SET_VELOCITY_LIMIT)\b)"
     rb"([^\n;(]*)"
@@ -54,13 +59,17 @@ class Veiled(bytes):
     """A text whose macros are comments, so that what moves can be read; `original` has them."""
 
 
-def _macros(text, kind):
+def _macros(text, machine):
     """Return (what finds lines that a control's firmware alone knows, which of them move nothing,
     whether a name stands for all that begin with it and _)."""
+    kind = machine.settings.control.kind
     if kind == "klipper":
         return _MACRO, STILL, True
     if kind == "marlin" and _IS_BAMBU.search(text[:_BEGINNING]):
         return _BAMBU, _BAMBU_STILL, False
+    is_print = machine.settings.dialect.base == "marlin"
+    if is_print and (b"@" in text or _HOST.search(text[:_BEGINNING])):
+        return _HOST, (), False
     return None, (), False
 
 
@@ -72,7 +81,7 @@ def veil(text, machine):
     tells (``control.still_macros``). So it is with codes that Bambu's firmware alone has.
     """
     original = getattr(text, "original", text)
-    found, known, begins = _macros(original, machine.settings.control.kind)
+    found, known, begins = _macros(original, machine)
     if found is None:
         return text, []
     still = {name.upper() for name in machine.settings.control.still_macros}
@@ -96,6 +105,7 @@ def veil(text, machine):
     for name, place in sorted(firsts.items(), key=lambda item: item[1]):
         is_known = any(f"{name}_".startswith(f"{each}_") if begins else name == each
                        for each in known)  # fmt: skip
+        is_known |= name[0] == "@"
         line = original.count(b"\n", 0, place) + 1
         identity = "macro-still" if is_known or name in still else "macro-own"
         findings.append((line, identity, name, counts[name]))

@@ -69,3 +69,29 @@ def test_a_state_that_moves_or_was_never_saved_is_a_macro_of_its_own(line):
 def test_a_state_that_needs_two_lines_stays_a_macro():
     text = "G21\nG90\nM82\nSAVE_GCODE_STATE\nG91\nM83\nG1 X5 E1 F900\nRESTORE_GCODE_STATE\n"
     assert pycnc.load(text, "printer_klipper").diagnostics.counts["macro-own"] == 1
+
+
+@pytest.mark.parametrize("line", ["Tx", "Tc ; all", "T?", "M702 C", "M701"])
+def test_ways_of_prusas_filament_may_move(line):
+    text = f"M104 S200\nG21\nG90\n{line}\nG1 X5 E1 F900\nT1\n"
+    (found,) = [each for each in pycnc.load(text, "printer_marlin").diagnostics
+                if each.severity in ("warning", "error")]  # fmt: skip
+    assert (found.id, found.line, found.message.split(",")[0]) == (
+        "macro-own", 4, line.split()[0].upper())  # fmt: skip
+
+
+@pytest.mark.parametrize("machine", ["printer", "printer_marlin", "printer_klipper"])
+@pytest.mark.parametrize("seed", range(10))
+def test_what_a_host_hears_is_told_once_and_skipped(machine, seed):
+    pen = random.Random(seed)
+    lines = [f"G1 X{pen.randrange(1, 90)} F900 ; @no" for _ in range(9)]
+    plain = "\n".join(["G21", "G90", *lines, ""])
+    for _ in range(pen.randrange(1, 5)):
+        lines.insert(pen.randrange(len(lines)), pen.choice(["@pause", " @OBJECT cube 1", "@PAUSE"]))
+    text = "\n".join(["G21", "G90", *lines, ""])
+    one, other = pycnc.load(text, machine), pycnc.load(plain, machine)
+    assert one.diagnostics.errors == 0
+    assert one.blocks["target_nm"].tolist() == other.blocks["target_nm"].tolist()
+    names = {line.split()[0].upper() for line in lines if line.lstrip().startswith("@")}
+    told = [each.message.split(",")[0] for each in one.diagnostics if each.id == "macro-still"]
+    assert sorted(told) == sorted(names)
