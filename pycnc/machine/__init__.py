@@ -201,7 +201,7 @@ def _read(name):
     try:
         data = files.read(path, files.SETTINGS_MOST)
         text = source.decode(data)
-        if foreign.kind_of(text) and not _is_toml(text):
+        if foreign.kind_of(text) and not _is_machine_file(text):
             return path.stem, str(name), *_as_it_is(text, path)
         return path.stem, str(name), data.decode("utf-8"), ()
     except UnicodeDecodeError:
@@ -253,11 +253,12 @@ def _as_it_is(text, path):
 _TOML_ERRORS = (tomllib.TOMLDecodeError, ArithmeticError, RecursionError)
 
 
-def _is_toml(text):
+def _is_machine_file(text):
     try:
-        return tomllib.loads(text, parse_float=Decimal) is not None
+        data = tomllib.loads(text, parse_float=Decimal)
     except _TOML_ERRORS:
         return False
+    return not MachineFile.model_fields.keys().isdisjoint(data)
 
 
 def _parse(text, file):

@@ -53,6 +53,16 @@ def test_a_configuration_is_the_machine_that_its_import_is(kind, number, draw_se
     assert "not-imported" not in pycnc("check", "-q", "-", "-m", file, stdin=PART).err
 
 
+def test_a_configuration_that_is_toml_too_is_one(tmp_path):
+    file = tmp_path / "printer.cfg"
+    rows = ["[printer]", 'kinematics = "cartesian"', "max_velocity = 300", "max_accel = 3000"]
+    rows += [row for at in "xyz" for row in (f"[stepper_{at}]", "position_max = 200")]
+    file.write_text("\n".join([row.replace('"', "") for row in rows] + [""]))
+    machine = Machine.load(file)
+    file.write_text("\n".join([*(row for row in rows if "kinem" not in row), ""]))
+    assert Machine.load(file).sha256 == machine.sha256
+
+
 @pytest.mark.sample(20)
 @pytest.mark.parametrize("number", range(200))
 def test_a_start_up_code_says_what_is_in_force(number, draw_seed):
