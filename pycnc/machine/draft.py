@@ -53,8 +53,7 @@ class Draft:
         """Say where an axis stands once it is homed, if that is within its travel."""
         low, high = (self.limit(letter, end) for end in ("min", "max"))
         if (low is None or low <= place) and (high is None or place <= high):
-            for table in ("start", "home.g28"):
-                self.put(f"{table}.{position_key(letter)}", place, comment)
+            self.put(f"home.g28.{position_key(letter)}", place, comment)
 
     def limit(self, letter, quantity):
         """Return a limit of an axis; None if it is not set."""

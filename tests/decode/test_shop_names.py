@@ -83,7 +83,7 @@ def test_what_is_put_out_moves_nothing_and_is_told(seed, mill):
 
 @pytest.mark.parametrize(("text", "machine", "error"), [
     ("G0 <A>\n", "fanuc", "character"), ("<A\n", "fanuc", "character"),
-    ("<A>\nG0 X1\n", "linuxcnc", "character"), ("POPEN\n", "linuxcnc", "other-base"),
+    ("<A>\nG0 X1\n", "linuxcnc", "character"), ("POPEN\n", "linuxcnc", "expression"),
     ("F9 G2 X1 I.5 K0.\n", "fanuc", None), ("F9 G2 X1 I.5 K.1\n", "fanuc", "word-unused"),
     ("F9 G2 X1 I.5 K0.\n", "linuxcnc", "word-unused"),
     ("F9 G18 G2 X1 I.5 J0 K0\n", "fanuc", None),

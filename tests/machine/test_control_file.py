@@ -124,7 +124,7 @@ def test_a_laser_of_fluidnc_is_one_where_it_is_its_first_tool(seed, tmp_path):
 
 @pytest.mark.sample(20)
 @pytest.mark.parametrize("number", range(200))
-def test_a_printer_stands_where_it_homes(number, draw_seed):
+def test_g28_of_a_printer_leads_to_where_it_homes(number, draw_seed):
     pen = random.Random(draw_seed + number)
     low, high = pen.randrange(-20, 1), pen.randrange(150, 300)
     at = {letter: pen.choice([None, low, high, high + 7, pen.randrange(1, 99)]) for letter in "xyz"}
@@ -140,17 +140,17 @@ def test_a_printer_stands_where_it_homes(number, draw_seed):
         wanted = end if end is not None and low <= end <= high else 0
         if safe and letter in "xy":
             wanted = {"x": 110, "y": 120.5}[letter]
-        for place in (settings.start, settings.home.g28):
-            assert float(place.along(letter)) == wanted
+        assert float(settings.home.g28.along(letter)) == wanted
+        assert settings.start.along(letter) == 0  # where programs without G28 begin
 
 
 @pytest.mark.parametrize(("switch", "wanted"), [
     ("M574 X1 Y2 Z1 S1", (-5, 210, 0)), ('M574 X2 S1 P"a"\nM574 Y1 P"b"', (230, 0, 0)),
     ("", (0, 0, 0)),
 ])  # fmt: skip
-def test_a_printer_of_reprap_stands_at_its_switch(switch, wanted):
+def test_g28_of_reprap_leads_to_its_switches(switch, wanted):
     text = ("M584 X0 Y1 Z2 E3\nM203 X6000 Y6000 Z180 E1200\nM201 X500 Y500 Z20 E250\n"
             "M566 X9 Y9 Z6 E12\nM208 X-5 Y0 Z0 S1\nM208 X230 Y210 Z200 S0\n")
     text += f"{switch}\n"
-    start = Machine.from_text(imported(text, "config.g")[1]).settings.start
-    assert tuple(float(start.along(letter)) for letter in "xyz") == wanted
+    home = Machine.from_text(imported(text, "config.g")[1]).settings.home.g28
+    assert tuple(float(home.along(letter)) for letter in "xyz") == wanted

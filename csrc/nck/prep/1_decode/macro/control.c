@@ -162,11 +162,23 @@ static nck_status_t end_loop(nck_decode_t *self, const char *at) {
     return nck_jump(self, &loop->place);
 }
 
-nck_status_t nck_decode_control(nck_decode_t *self, const char **at) {
-    enum { NONE, IF, GOTO, WHILE, DO, END };
+// POPEN, PCLOS, DPRNT[…] and BPRNT[…] of Fanuc's move nothing.
+static int puts_out(const nck_decode_t *self, const char *at) {
+    const char letter = (char)(*at & ~0x20);
     const char *end = NULL;
-    const unsigned word = nck_decode_listed(*at, "IF GOTO WHILE DO END POPEN PCLOS DPRNT BPRNT ",
-                                            &end);
+    if ((letter != 'P' && letter != 'D' && letter != 'B') || !nck_is_letter(at[1])) return 0;
+    return (self->tongue & NCK_TONGUES_FANUC) != 0
+           && nck_decode_listed(at, "POPEN PCLOS DPRNT BPRNT ", &end) != 0;
+}
+
+nck_status_t nck_decode_control(nck_decode_t *self, const char **at) {
+    enum { NONE, IF, GOTO, WHILE, DO };
+    const char *end = NULL;
+    if (puts_out(self, *at)) {
+        *at = end_of_line(self);
+        return NCK_OK;
+    }
+    const unsigned word = nck_decode_listed(*at, "IF GOTO WHILE DO END ", &end);
     if (word == NONE || nck_is_letter(*nck_decode_skip(end))) return NCK_EMPTY;
     if (!NCK_HAS_CALLS) return fail_at(self, *at, NCK_E_UNSUPPORTED);
     const nck_status_t speaks = nck_decode_only(self, *at, NCK_TONGUES_FANUC);
@@ -178,6 +190,5 @@ nck_status_t nck_decode_control(nck_decode_t *self, const char **at) {
     if (word == WHILE) return while_loop(self, at);
     const char *const behind = *at;
     *at = end_of_line(self);
-    if (word > END) return NCK_OK; // what is printed moves nothing
     return word == DO ? do_loop(self, behind, 1) : end_loop(self, behind);
 }
