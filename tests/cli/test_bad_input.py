@@ -30,7 +30,7 @@ BAD = {
     "unknown word": (START + b"G1 X10 F100\nG1 X1 E2.5\n", "word-unknown", 3, 7),
     "word that nothing uses": (START + b"G1 X10 F100 Q3\n", "word-unused", 2, 13),
     "unknown G code": (START + b"G777 X1\n", "g-unknown", 2, 1),
-    "unknown M code": (START + b"M123\n", "m-unknown", 2, 1),
+    "unknown M code": (START + b"M177\n", "m-unknown", 2, 1),
     "G code that is not built": (START + b"G17.1\n", "unsupported", 2, 1),
     "G code that is standard": (START + b"G50 S500\n", "other-base", 2, 1),
     "limit of the spindle's speed": (START + b"G92 S500\nS900\nX1\n", "unsupported", 2, 1),
