@@ -249,6 +249,7 @@ class Wording:
             "plane": settings.dialect.plane,
             "lathe": settings.kinematics.type == "lathe_xz" and settings.dialect.base == "fanuc",
             "arc_centre": settings.dialect.arc_centre,
+            "asks": re.search(rb"# *<_(hal|ini)\[", source, re.I),
             "meta": _meta(source) if settings.dialect.base == "marlin" else "",
         }
 
@@ -303,7 +304,7 @@ def _whose(tongues):
 def _wording(name, fields):
     letter = fields["letter"]
     word = f"{name}:{letter}{fields['value']:.15g}"
-    own = f"{name}:{letter}:{fields['base']}"
+    own = f"{name}:own" if fields["asks"] else f"{name}:{letter}:{fields['base']}"
     for key in (f"{word}:lathe" * fields["lathe"], word, own, f"{name}:{letter}"):
         if key in WORDING:
             return WORDING[key]

@@ -11,7 +11,7 @@ FALLBACK = "linuxcnc"
 _SIGNS = {
     "marlin": (
         (rb"^;\s*FLAVOR:\s*Marlin", "its slicer says so"),
-        (rb"^(N\d+ *)?M(104|109|140|190|106|107)\b", "a printer's M code"),
+        (rb"^(N\d+ *)?M(104|109|140|190|106|107)\b(?! *P *\d+ *$)", "a printer's M code"),
         (rb"^(N\d+ *)?G1 [^;(]*\bE-?[\d.]", "E moves an extruder"),
     ),
     "linuxcnc": (

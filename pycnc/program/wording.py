@@ -79,6 +79,10 @@ WORDING = {
         "S{value} is out of range (limit {limit})",
         "choose another speed, or set the machine's: --set spindle.rpm_max=…",
     ),
+    "number-range:$": (
+        "$ names a spindle that there is not: the kernel has one, $0",
+        "leave $ out, or say $0 (and M5 $-1 for all)",
+    ),
     "number-range:F0": (
         "F0 is no speed that Klipper takes: it ends the print", "say a feed, or leave F out"
     ),
@@ -279,6 +283,10 @@ WORDING = {
     "parameter-unset": (
         "the named parameter was never set",
         "set it before, or ask for it by EXISTS[#<name>]",
+    ),
+    "parameter-unset:own": (
+        "the program asks what LinuxCNC's own files or its HAL say, which the kernel cannot know",
+        "write the number in its place",
     ),
     "parameters-full": (
         "more than {limit:.0f} parameters are set at once",

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Every code and parameter means what the language in force gives to it, or is refused by name."""
 
+import random
+
 import pytest
 import tongues
 from tongues import TONGUES, decode, machine_of
@@ -182,3 +184,27 @@ def test_what_a_sender_says_is_named_with_what_to_do(base, sign):
                 if each.severity == "error"]  # fmt: skip
     assert (found.line, found.col, found.id) == (3, 1, "character")
     assert "says to grbl" in found.message and "take the line out" in found.help
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_spindle_of_linuxcnc_is_the_one_that_there_is(seed):
+    pen = random.Random(seed)
+    lines = ["G21 G90 F900", f"M3 $0 S{pen.randrange(1, 9000)}", "G1 X1", "S500 $0", "M5 $-1"]
+    plain = [line.replace(" $0", "").replace(" $-1", "") for line in lines]
+    one, other = (pycnc.load("\n".join([*each, "M2", ""]), "mill3") for each in (lines, plain))
+    assert one.diagnostics.errors == 0
+    assert one.blocks["output"].tolist() == other.blocks["output"].tolist()
+    bad = pen.choice(["M3 $1 S9", "M3 $2", "M5 $-2"])
+    (found,) = [each for each in pycnc.load(f"G21\n{bad}\nM2\n", "mill3").diagnostics
+                if each.severity == "error"]  # fmt: skip
+    assert (found.id, found.line, found.col) == ("number-range", 2, 4)
+    assert "$0" in found.message and found.help
+
+
+@pytest.mark.parametrize("name", ["_hal[plasmac.cut-feed-rate]", "_ini[TRAJ]MAX", "_hal[a]"])
+def test_what_linuxcnc_alone_knows_is_refused_by_its_name(name):
+    text = f"G21\nM190 P2\nF#<{name}>\nG0 X1\nM2\n"
+    found = pycnc.load(text, "mill3").diagnostics
+    assert found.counts["looks-like"] == 0
+    (error,) = [each for each in found if each.id == "parameter-unset"]
+    assert (error.line, error.help) == (3, "write the number in its place")

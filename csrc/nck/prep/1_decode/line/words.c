@@ -247,6 +247,18 @@ static nck_status_t read_program_name(nck_decode_t *self, const char **at) {
     return NCK_OK;
 }
 
+// LinuxCNC's $ of a spindle: $0 is the one that there is, $-1 are all.
+static nck_status_t read_spindle(nck_decode_t *self, const char **at) {
+    const char *const first = *at;
+    nck_number_t number;
+    const char *const end = nck_number_read(self->line.text, first + 1, &number);
+    if (self->tongue != NCK_TONGUE_LINUXCNC || end == NULL) return fail_character(self, first);
+    const double which = nck_number_real(&number);
+    *at = end;
+    if (!(which > 0.0) && !(which < -1.0)) return NCK_OK;
+    return nck_decode_fail_at(self, NCK_E_NUMBER_RANGE, first, '$', which, 0.0);
+}
+
 // What begins with another sign, or is a mistake.
 static nck_status_t read_sign(nck_decode_t *self, const char **at) {
     switch (**at) {
@@ -254,6 +266,7 @@ static nck_status_t read_sign(nck_decode_t *self, const char **at) {
     case ',': return read_corner(self, at);
     case '/': return skip_rest(self, at);
     case '<': return read_program_name(self, at);
+    case '$': return read_spindle(self, at);
     case '@':
     case '^': return NCK_HAS_LAYOUTS ? nck_polar_read(self, at) : fail_character(self, *at);
     case '*':
