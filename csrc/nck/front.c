@@ -9,8 +9,7 @@
 #include "nck/base/link_invariants.h" // nck_link_invariants
 #include "nck/base/real.h"            // nck_larger nck_rounded
 
-// Hundreds of instructions: of any room's step, of a tick, of one whose clock brakes or sets off.
-enum { PRICE_LEAST = 40, PRICE_TICK = 60, PRICE_EASES = 1280 };
+enum { PRICE_LEAST = 40 }; // of any room's step, in hundreds of instructions
 
 // ---- memory
 
@@ -398,11 +397,6 @@ uint32_t nck_price(nck_t *nck) {
     const uint32_t smooth = nck_smooth_price(&nck->smooth);
     const uint32_t path = smooth > 0 ? smooth : (uint32_t)PRICE_LEAST;
     return nck_slope_is_clocked(&nck->slope) && plan > 0 ? plan : nck_larger(plan, path);
-}
-
-uint32_t nck_tick_price(const nck_t *nck) {
-    const uint32_t clock = nck_fence_load(&nck->interpolate.clock.state);
-    return clock == NCK_CLOCK_BRAKES || clock == NCK_CLOCK_SETS_OFF ? PRICE_EASES : PRICE_TICK;
 }
 
 int nck_is_answering(const nck_t *nck) { return nck_slope_is_answering(&nck->slope); }

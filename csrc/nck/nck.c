@@ -10,7 +10,8 @@
 
 enum {
     PPM = 1000000, FEED_MOST = 2, // overrides
-    STEPS_PER_BLOCK = 2 // of the look-ahead
+    STEPS_PER_BLOCK = 2, // of the look-ahead
+    PRICE_TICK = 60, PRICE_EASES = 1280 // hundreds of instructions: the clock brakes or sets off
 };
 
 // Rooms 3 to 5 at rest at the machine's start position, and where the link ends.
@@ -403,6 +404,13 @@ static inline int asks_for_rest(nck_t *nck) {
     if (nck_fence_load(&command->speed_um_s) == 0) return 1;
     if (feed > 0 && rapid > 0) return 0;
     return (nck_interpolate_is_rapid(&nck->interpolate) ? rapid : feed) == 0;
+}
+
+uint32_t nck_tick_price(nck_t *nck) {
+    const uint32_t clock = nck_interpolate_clock(&nck->interpolate);
+    const int eases = clock == NCK_CLOCK_BRAKES || clock == NCK_CLOCK_SETS_OFF;
+    const int turns = asks_for_rest(nck) != (clock == NCK_CLOCK_STANDS);
+    return eases || (turns && nck_slope_is_clocked(&nck->slope)) ? PRICE_EASES : PRICE_TICK;
 }
 
 // 1 where single block keeps the path, until the operator goes on: what stands behind the block

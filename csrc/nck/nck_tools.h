@@ -59,7 +59,7 @@ const nck_node_t *nck_piece(const nck_t *nck, uint32_t i);
 uint32_t nck_price(nck_t *nck);
 
 // The same of the next nck_tick. Cost: constant. Context: any.
-uint32_t nck_tick_price(const nck_t *nck);
+uint32_t nck_tick_price(nck_t *nck);
 
 // 1 while a plan is made that answers the operator: who asks for something else now, and again and
 // again, has it begin anew each time. Cost: constant. Context: prep.

@@ -7,13 +7,14 @@ import os
 import re
 import shutil
 import subprocess
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 from unittest import mock
 
 import numpy as np
 import pytest
-from builds import keep_what_is_compiled
+from builds import CMAKE, NINJA, keep_what_is_compiled
 from locks import locked
 
 from pycnc import linuxcnc
@@ -130,6 +131,27 @@ def built_module(headers=None, *, short_servo=False):
         module = folder / linuxcnc.MODULE
         return module if module.exists() else linuxcnc.build(
             folder, headers, short_servo=short_servo)
+
+
+@cache
+def told_by_the_same_build(*, short_servo=False):
+    """Return the program of told.c, compiled with the capacities that the module has."""
+    words = (ROOT / "adapters/linuxcnc/Makefile").read_text(encoding="utf-8")
+    sizes = re.findall(r"-D(NCK_\w+=\d+)", words)
+    sizes = [size for size in sizes if short_servo or not size.startswith("NCK_PROFILE")]
+    folder = ROOT / "build" / ("linuxcnc_told_short" if short_servo else "linuxcnc_told")
+    keep_what_is_compiled()
+    configure = [CMAKE, "-S", ROOT, "-B", folder, "-G", "Ninja", f"-DCMAKE_MAKE_PROGRAM={NINJA}",
+                 f"-DNCK_CAPACITIES={';'.join(sizes)}"]  # fmt: skip
+    libraries = ["libnck_host.a", "libnck.a"]
+    program = folder / "told"
+    link = ["gcc", "-std=gnu99", "-O2", f"-I{ROOT / 'csrc'}", *(f"-D{size}" for size in sizes),
+            ROOT / "tests/linuxcnc/told.c", *(folder / each for each in libraries), "-lm",
+            "-o", program]  # fmt: skip
+    with locked(folder):
+        for command in (configure, [NINJA, "-C", folder, *libraries], link):
+            subprocess.run(command, check=True, capture_output=True)
+    return program
 
 
 class StandIn:

@@ -8,7 +8,7 @@ from test_linuxcnc import WITHIN, random_script, ring
 
 PERIOD_S = 0.25e-3
 MOST = 150_000  # instructions of a cycle
-MOST_ASKED = 235_000  # where an operator asks for stops
+MOST_ASKED = 150_000  # where an operator asks for stops
 UNBOUND = Machine(traj="NCK_BUDGET = 100000")
 SEEDS, LINES = 400, 40  # a script's begin: valgrind takes its time
 EDGES = [f"line 100 {5 * (n + n % 2)} {5 * (n - n % 2)} 0\nrun 1" for n in range(1, 9)]

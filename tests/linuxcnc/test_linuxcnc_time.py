@@ -3,17 +3,20 @@
 
 import math
 import random
+import subprocess
 
 import numpy as np
 import pytest
-from linuxcnc_stand_in import CYCLE_S, EVER, StandIn
+from linuxcnc_stand_in import CYCLE_S, EVER, StandIn, told_by_the_same_build
 
 from pycnc.bench import programs
+from pycnc.machine.schema import SLOPES
 from pycnc.planning.plan import Plan
 from pycnc.program import Program
 
-SHARE = 0.07  # of the time: 27 of 40 are within 0.005, where the budget is short 0.067 at most
-LONG_SHARE = 0.014  # with the window and the budget of `build --short-servo`: 31 within 0.005
+SAME_SHARE = 2e-4  # of the time, by the same build: 39 of 40 are the same to the period
+SAME_EXACT_SHARE = 1e-3  # the same along the exact path
+SHARE = 0.014  # of the package's build, whose windows are longer: 32 of 40 are within 0.005
 EXACT_SHARE = 0.006  # along the exact path: 39 of 40 within 0.005
 PERIOD_SHARE = 0.06  # the same beside a servo period of 1 ms
 PROGRAMS, SERVO_PROGRAMS = 40, 12
@@ -74,15 +77,29 @@ def time_taken(stand_in, script, period_s=CYCLE_S):
     return (moves[-1] - moves[0] + 1) * period_s
 
 
+def told_by_the_same(text, slope="optimal", *, short_servo=False):
+    """Return the time that the kernel with the module's capacities tells of a program [s]."""
+    command = [told_by_the_same_build(short_servo=short_servo), str(SLOPES.index(slope))]
+    return float(subprocess.run(command, input=text, capture_output=True, check=True).stdout)
+
+
 @pytest.mark.sample(8)
 @pytest.mark.parametrize("seed", range(PROGRAMS))
-def test_time_told_is_time_taken(stand_in, short, seed):
+def test_time_told_is_time_taken(stand_in, seed):
     text, script = program(seed)
     told = Plan(Program(text, programs.machine()), keep=False).time_s
-    taken, longer = time_taken(stand_in, script), time_taken(short, script)
-    print(f"seed {seed}: told {told:.3f} s, taken {taken:.3f} s, with more ahead {longer:.3f} s")
+    same, taken = told_by_the_same(text), time_taken(stand_in, script)
+    print(f"seed {seed}: told {told:.3f} s, by the same build {same:.3f} s, taken {taken:.3f} s")
+    assert taken == pytest.approx(same, rel=SAME_SHARE)
     assert taken == pytest.approx(told, rel=SHARE)
-    assert longer == pytest.approx(told, rel=LONG_SHARE)
+
+
+@pytest.mark.sample(4)
+@pytest.mark.parametrize("seed", range(PROGRAMS))
+def test_time_told_is_time_taken_with_short_periods(short, seed):
+    text, script = program(seed)
+    told = told_by_the_same(text, short_servo=True)
+    assert time_taken(short, script) == pytest.approx(told, rel=SAME_SHARE)
 
 
 @pytest.mark.sample(8)
@@ -90,7 +107,10 @@ def test_time_told_is_time_taken(stand_in, short, seed):
 def test_time_told_is_time_taken_along_the_exact_path(stand_in, short, seed):
     text, script = program(seed)
     told = Plan(Program(text, programs.machine("jerk")), keep=False).time_s
-    assert time_taken(stand_in.exact(), script) == pytest.approx(told, rel=EXACT_SHARE)
+    same, taken = told_by_the_same(text, "jerk"), time_taken(stand_in.exact(), script)
+    print(f"seed {seed}: exact {told:.3f} s, by the same build {same:.3f} s, taken {taken:.3f} s")
+    assert taken == pytest.approx(same, rel=SAME_EXACT_SHARE)
+    assert taken == pytest.approx(told, rel=EXACT_SHARE)
     assert time_taken(short.exact(), script) == pytest.approx(told, rel=0.001)
 
 
