@@ -95,7 +95,7 @@ MAY_INCLUDE = {
     "firmware_sim/host_switches": ("host_s", "hal/input.h", *DOORS),
     "firmware_sim/sim": ("nck/", "sim", "app/", "os.h", "hal.h"),
     "adapters/linuxcnc/": ("nck/nck.h", "nck/nck_tools.h", *HOST_OF_ADAPTER),
-    "tests/linuxcnc/": (),
+    "tests/linuxcnc/": ("host/host.h",),
     "tests/": ("nck/", "host/", "sim.h", "host_serve.h", "serve/", "inputs/", "check.h", "pace.h",
                  "os/", "board/", "app/", "hal/", "pulse/", "drive/", "soft_double/", "moving/"),
     "tests/house/fuzz/": ("nck/", "host/", "sim.h", "host_serve.h"),
