@@ -40,8 +40,8 @@ int nck_motion_is_soft(const nck_motion_t *self, int k) {
     return (self->wish.ends & NCK_MOTION_SOFT) && !is_firm;
 }
 
-// What a cap's unit costs, over τ: price/c^(3/2) for each 1 of b beyond the cap c. By itself it wins
-// half of 1/c^(3/2): a cell lasts τ/√b.
+// What a cap's unit costs, over τ: price/c^(3/2) for each 1 of b beyond the cap c. By itself it
+// wins half of 1/c^(3/2): a cell lasts τ/√b.
 static nck_num price_of(const nck_motion_t *self, int k) {
     const nck_num cap = self->cap[k + 1];
     return self->price / (self->scale[k + 1] * cap * NCK_NUM_SQRT(cap));

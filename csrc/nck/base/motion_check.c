@@ -17,29 +17,26 @@ static inline nck_motion_ways_t ways_at(const nck_motion_path_t *restrict path, 
     return ways;
 }
 
-// What is taken of an acceleration at places of half a cell, signed.
-typedef struct taken {
-    nck_motion_lanes_t a[SPOTS];
-} taken_t;
-
-// The largest shares of limits that are taken in a half cell of each lane: of a and j, of v.
+// What is taken in a half cell of each lane: of an acceleration at its places, signed; the largest
+// shares of limits, of a and j, of v.
 typedef struct side {
+    nck_motion_lanes_t a[SPOTS];
     nck_motion_lanes_t most, fastest;
 } side_t;
 
 // What a path takes at a place, x · τ from a node. The motion has β + αx, γ + βx + αx²/2.
-static inline void check_ways(taken_t *restrict taken, side_t *restrict side,
-                              const nck_motion_shape_t *restrict b, nck_motion_ways_t at,
-                              const nck_num *restrict ratios, int spot, nck_num x, int k) {
+static inline void check_ways(side_t *restrict side, const nck_motion_shape_t *restrict b,
+                              nck_motion_ways_t at, const nck_num *restrict ratios, nck_num x,
+                              int k) {
+    const int spot = (int)(NCK_NUM_OF(8) * NCK_NUM_ABS(x));
     const nck_num half = NCK_NUM_OF(0.5) * x;
     const nck_num slope = b->slope[k] + x * b->bend[0][k];
     const nck_num level = b->level[k] + x * (b->slope[k] + half * b->bend[0][k]);
     const nck_num v = NCK_NUM_SQRT(nck_num_max(level, 0));
     const nck_num jerk = nck_motion_jerk(at.p1 * b->bend[0][k], at.p2 * slope, at.turn[0] * level);
-    taken->a[spot][k] = nck_motion_acceleration(at.p1, at.p2, slope, level);
-    if (spot + 1 < SPOTS) { // a row stands at the last one
-        side->most[k] = nck_num_max(side->most[k], NCK_NUM_ABS(ratios[0] * v * jerk));
-    }
+    const nck_num share = NCK_NUM_ABS(ratios[0] * v * jerk);
+    side->a[spot][k] = nck_motion_acceleration(at.p1, at.p2, slope, level);
+    if (spot + 1 < SPOTS) side->most[k] = nck_num_max(side->most[k], share); // there is a row
     side->fastest[k] = nck_num_max(side->fastest[k], NCK_NUM_ABS(ratios[1] * v * at.p1));
 }
 
@@ -54,11 +51,11 @@ static inline nck_num most_of_three(nck_num f0, nck_num f1, nck_num f2) {
 }
 
 // An acceleration is a cubic: where b turns sharply it is up to 2.5 % larger than at its places.
-static void note_most(const taken_t *restrict taken, side_t *restrict side) {
-    const nck_motion_lanes_t *const at = taken->a;
+static void note_most(side_t *side) {
     for (int n = 0; n + 2 < SPOTS; n += 2) {
         for (int k = 0; k < NCK_MOTION_LANES; k++) {
-            const nck_num a = most_of_three(at[n][k], at[n + 1][k], at[n + 2][k]);
+            const nck_num a =
+                most_of_three(side->a[n][k], side->a[n + 1][k], side->a[n + 2][k]);
             side->most[k] = nck_num_max(side->most[k], a);
         }
     }
@@ -73,23 +70,22 @@ static void check_axis(const nck_motion_t *self, int chunk, int axis, side_t sid
     const nck_num ratios[2] = {self->ratio[axis], self->speed[axis]};
     nck_motion_shape_t shape;
     nck_motion_path_t path;
-    taken_t taken;
     nck_motion_shape(&self->b[chunk * NCK_MOTION_LANES + 1], 0, &shape);
     nck_motion_path(self, chunk, axis, 0, &path);
     for (int side = 0; side < 2; side++) {
         for (int spot = 0; spot < SPOTS; spot++) {
             const nck_num x = place_of(spot, 2 * side - 1);
             for (int k = 0; k < NCK_MOTION_LANES; k++) {
-                check_ways(&taken, &sides[side], &shape, ways_at(&path, x, k), ratios, spot, x, k);
+                check_ways(&sides[side], &shape, ways_at(&path, x, k), ratios, x, k);
             }
         }
-        note_most(&taken, &sides[side]);
+        note_most(&sides[side]);
     }
 }
 
 // Of the path, at a distance x from each node: its direction there, not that at the node.
 static void check_path_at(const nck_motion_t *self, int chunk, const nck_motion_shape_t *shape,
-                          int spot, nck_num x, taken_t *taken, side_t *side) {
+                          nck_num x, side_t *side) {
     const nck_num ratios[2] = {self->ratio[NCK_MOTION_ALONG], 0};
     nck_motion_dots_t dots[NCK_MOTION_LANES];
     nck_motion_path_t path;
@@ -101,20 +97,19 @@ static void check_path_at(const nck_motion_t *self, int chunk, const nck_motion_
         }
     }
     for (int k = 0; k < NCK_MOTION_LANES; k++) {
-        check_ways(taken, side, shape, nck_motion_along(&dots[k]), ratios, spot, x, k);
+        check_ways(side, shape, nck_motion_along(&dots[k]), ratios, x, k);
     }
 }
 
 static void check_path(const nck_motion_t *self, int chunk, side_t sides[2]) {
     nck_motion_shape_t shape;
-    taken_t taken;
     nck_motion_shape(&self->b[chunk * NCK_MOTION_LANES + 1], 0, &shape);
     for (int side = 0; side < 2; side++) {
         for (int spot = 0; spot < SPOTS; spot++) {
             const nck_num x = place_of(spot, 2 * side - 1);
-            check_path_at(self, chunk, &shape, spot, x, &taken, &sides[side]);
+            check_path_at(self, chunk, &shape, x, &sides[side]);
         }
-        note_most(&taken, &sides[side]);
+        note_most(&sides[side]);
     }
 }
 

@@ -30,8 +30,8 @@ enum {
 #define ROOM 0.3
 #define ROOM_SLOWED 0.005
 // Price of being faster than a lowered cap, in halves of the time that this wins by itself: more
-// than all the way before it wins, which then is slower, too. Of 133 overrides 9 in 10 take 1.29 of a
-// brake along a line or less; with 2 entries of slower feeds are passed too fast, with 25 a plan
+// than all the way before it wins, which then is slower, too. Of 133 overrides 9 in 10 take 1.29 of
+// a brake along a line or less; with 2 entries of slower feeds are passed too fast, with 25 a plan
 // needs 40 iterations in place of 30.
 #define SLOWER_PRICE 5.0
 // A plan has slowed down once v² is less than so many times what it is slowed down to.
