@@ -396,7 +396,7 @@ uint32_t nck_price(nck_t *nck) {
     const uint32_t plan = nck_slope_price(&nck->slope);
     const uint32_t smooth = nck_smooth_price(&nck->smooth);
     const uint32_t path = smooth > 0 ? smooth : (uint32_t)PRICE_LEAST;
-    return nck_slope_is_clocked(&nck->slope) && plan > 0 ? plan : nck_larger(plan, path);
+    return nck_slope_plans_clocked(&nck->slope) && plan > 0 ? plan : nck_larger(plan, path);
 }
 
 int nck_is_answering(const nck_t *nck) { return nck_slope_is_answering(&nck->slope); }

@@ -124,7 +124,7 @@ static nck_status_t count_intervals(nck_optimal_t *self, const nck_pieces_t *pie
         work->ends = piece->stop;
         work->n++;
     }
-    if (work->ends || work->n == most) return NCK_DONE;
+    if (work->ends || work->n == most) return work->n < least ? NCK_E_STATE : NCK_DONE;
     if (self->job.starved && work->n >= least) return NCK_DONE;
     self->next->wants = work->first + work->n + 1;
     return NCK_EMPTY;

@@ -289,6 +289,7 @@ static void take_over(nck_slope_t *self) {
     const int on_the_way = same_block && self->now.end_piece == self->next.end_piece;
     if (!on_the_way) self->resumes = self->wish.resumes;
     self->now = self->next;
+    self->clocked = (uint32_t)(nck_planner_kind(self) == NCK_SLOPE_OPTIMAL);
     self->now.first_piece = self->next.piece;
     self->in_tail = 0;
     tell(self);

@@ -50,6 +50,7 @@ typedef struct nck_slope {
     uint32_t brakes;       // 1: the plan of now brings the rest asked for; any context reads
     uint32_t in_tail;      // 1: the tick has been seen in the stop tail
     uint32_t stands;       // 1: its clock stands, amid a clocked path
+    uint32_t clocked;      // 1: the plan of now is along such a one, whatever comes behind it
     struct {
         uint32_t status;   // what the last step said, which lacked pieces; NCK_FULL: or what the
                            // tick takes; NCK_OK: none such. As things were then:
@@ -125,9 +126,14 @@ static inline int nck_slope_is_answering(const nck_slope_t *self) {
 // their turn. Cost: constant. Context: prep.
 uint32_t nck_slope_price(const nck_slope_t *self);
 
-// 1 if the plans of now are along a clocked path. Cost: constant. Context: prep.
-static inline int nck_slope_is_clocked(const nck_slope_t *self) {
+// 1 if the plan in work is along a clocked path. Cost: constant. Context: prep.
+static inline int nck_slope_plans_clocked(const nck_slope_t *self) {
     return self->kind_in_force == NCK_SLOPE_OPTIMAL;
+}
+
+// 1 if the plan of now is. Cost: constant. Context: prep.
+static inline int nck_slope_is_clocked(const nck_slope_t *self) {
+    return self->clocked != 0;
 }
 
 // 1 if the plan in force brings the rest that a hold or an override of 0 asks for. Cost: constant.
