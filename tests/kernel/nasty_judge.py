@@ -20,7 +20,8 @@ SLOWER = 1.05  # than with exact stops
 SLOWER_PERIODS = 4  # and so many periods: of a stop and of the filter
 HOLD = 5  # state of a tick
 TURN_SHARE = 1e-6  # of sweep and centre of an arc, as printed
-RUN_SHARE = 30  # a run takes so many times its plan at most, whatever the operator does
+RUN_SHARE = 30  # a run takes so many times its plan at most, whatever the operator does …
+RUN_STEPS = 300  # … or while prep makes so many steps for a planned period
 RUN_PERIODS = 5000
 COMPARED = ("line", "kind", "path_mode", "target_nm")
 
@@ -124,7 +125,8 @@ def _run(case, program, blocks, plan, found):
     )
     controller = kernel.Simulation(program.text, machine, case.prep_steps, case.commands)
     last = max((tick for tick, *_ in case.commands), default=0)
-    most = RUN_SHARE * int(plan["ticks"]) + last + RUN_PERIODS
+    share = max(RUN_SHARE, RUN_STEPS / case.prep_steps)
+    most = share * int(plan["ticks"]) + last + RUN_PERIODS
     rests = SingleBlock(case.commands, judge.path)
     try:
         for rows, _ in controller.pieces():
