@@ -166,7 +166,7 @@ def emulate(core, image, *arguments, counts=None, folder=None, shift=3):
     return _run(command, timeout=LIMIT_S, cwd=folder)
 
 
-def run_setpoints(core, set_name, case, machine, folder, count=False, hold=0):
+def run_setpoints(core, set_name, case, machine, folder, *, count=False, hold=0):
     """Run a program on a target; return a Result.
 
     Parameters

@@ -197,6 +197,16 @@ def _extruder(source):
             source.draft.axis("u", quantity, round(of(key, 1) * ratio, 3), words)
 
 
+def _axis_of_marlin(source, own):
+    """Fill in what M503 prints of an axis, by its letter there."""
+    letter = "u" if own == "e" else own
+    source.axis(letter, "v_max", [("m203", own)])
+    source.axis(letter, "a_max", [("m201", own)])
+    source.own(f"steps_per_mm.{own}", [("m92", own)])
+    if ("m205", "j") not in source.settings:  # Marlin 1.0 has one number for X and Y
+        source.own(f"jerk.{own}", [("m205", own), *([("m205", "x")] if own == "y" else [])])
+
+
 def marlin(source):
     """Fill in what M503 prints; return the letters of its axes."""
     has = source.settings
@@ -206,12 +216,7 @@ def marlin(source):
     source.draft.put("control.kind", "marlin")
     extrudes = ("m203", "e") in has
     for own in [*letters, *(["e"] if extrudes else [])]:
-        letter = "u" if own == "e" else own
-        source.axis(letter, "v_max", [("m203", own)])
-        source.axis(letter, "a_max", [("m201", own)])
-        source.own(f"steps_per_mm.{own}", [("m92", own)])
-        if ("m205", "j") not in has:  # Marlin 1.0 has one number for X and Y
-            source.own(f"jerk.{own}", [("m205", own), *([("m205", "x")] if own == "y" else [])])
+        _axis_of_marlin(source, own)
     is_old = ("m204", "s") in has and ("m204", "p") not in has  # S, and T of retractions
     travel, retract = ("s", "t") if is_old else ("t", "r")
     for key, word in (("acceleration", "p"), ("travel_acceleration", travel),

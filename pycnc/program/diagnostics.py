@@ -17,6 +17,7 @@ _LINES_NAMED = 5  # of those that say the same
 _EXCERPT = 100  # characters of a source line that are shown around the column
 _NUMBER = 40  # characters of a number that are shown
 _DIALECTS = {1: "Heidenhain Klartext", 2: "Sinumerik", 3: "Okuma"}
+_FEED_UNITS = {"linuxcnc": "before it"}  # whose units F has beside G20 or G21; else of its line
 
 _TONGUES = (
     (lib.NCK_TONGUE_LINUXCNC, "linuxcnc"),
@@ -224,8 +225,9 @@ class Wording:
         value, limit = _Number(row["value"]), _Number(row["limit"])
         value.text = _number_at(source, column, letter, value)
         settings, axis = self._machine.settings, letter.lower()
+        language = settings.dialect.base
         unit = "deg" if letter in "ABC" and letter else "mm"
-        if letter == "U" and settings.dialect.base == "marlin" and b"U" not in source.upper():
+        if letter == "U" and language == "marlin" and b"U" not in source.upper():
             letter = "E"  # as the text has it
         return {
             "value": value,
@@ -242,15 +244,15 @@ class Wording:
             "dialect": _DIALECTS.get(int(value), "a language of its own"),
             "remark": _remark(source, column),
             "key_of_g": f"{float(value):g}".replace(".", "_"),
-            "base": settings.dialect.base,
-            "feed_units": "before it" if settings.dialect.base == "linuxcnc" else "of its line",
+            "base": language,
+            "feed_units": _FEED_UNITS.get(language, "of its line"),
             **_whose(int(limit) if name == "other-base" else 0),
             "units": "inches (G20)" if settings.dialect.units == "inch" else "mm (G21)",
             "plane": settings.dialect.plane,
             "lathe": settings.kinematics.type == "lathe_xz" and settings.dialect.base == "fanuc",
             "arc_centre": settings.dialect.arc_centre,
             "asks": re.search(rb"# *<_(hal|ini)\[", source, re.I),
-            "meta": _meta(source) if settings.dialect.base == "marlin" else "",
+            "meta": _meta(source, language),
         }
 
 
@@ -285,9 +287,9 @@ _META = re.compile(
 _OF_META = frozenset({"number", "character", "other-base", "expression", "word-unknown"})
 
 
-def _meta(source):
-    """Return what of RepRapFirmware's meta commands is in a line; empty: nothing."""
-    found = _META.match(source)
+def _meta(source, language):
+    """Return what of RepRapFirmware's meta commands is in a printer's line; empty: nothing."""
+    found = _META.match(source) if language == "marlin" else None
     return (found[1] or found[2]).decode() if found else ""
 
 

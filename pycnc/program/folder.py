@@ -28,6 +28,12 @@ class FolderError(ValueError):
     """A folder of programs that cannot be used."""
 
 
+def _first(known, names):
+    """Return the first of these names that a file has, and it; else the last, and None."""
+    found = ((name, _find(known, name)) for name in names)
+    return next((each for each in found if each[1]), (names[-1], None))
+
+
 def joined(text, folder, base):
     """Return a text with the programs of a folder that it calls and does not hold.
 
@@ -46,10 +52,9 @@ def joined(text, folder, base):
     there = set(_begun(text))
     while at < len(pieces):
         for names in _called(pieces[at], fanuc):
-            if any(name in there for name in names):
+            if there.intersection(names):
                 continue
-            found = ((name, _find(known, name)) for name in names)
-            name, file = next((each for each in found if each[1]), (names[-1], None))
+            name, file = _first(known, names)
             there.add(name)
             if file:
                 pieces.append(_read(file, name))

@@ -5,8 +5,9 @@
 //     setpoints MACHINE PROGRAM SUMMARY [ROWS [HOLD]]
 //
 // MACHINE is an nck_machine_t as it stands in memory, SUMMARY becomes the numbers of `summary_t`,
-// ROWS every tick's setpoints; a hold is asked for at the tick HOLD, and it rests for a while. Exit status: 0; 1 if an argument or a file is wrong; 2 if the
-// program has not ended after a million ticks.
+// ROWS every tick's setpoints. A hold is asked for at the tick HOLD, and rests for a while. Exit
+// status: 0; 1 if an argument or a file is wrong; 2 if the program has not ended after a million
+// ticks.
 #include <string.h> // memcpy
 
 #include "board/board.h" // files, arguments

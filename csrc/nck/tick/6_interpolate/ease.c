@@ -40,8 +40,8 @@
 // double precision. Where a processor has no doubles in hardware they take a tenth of the time.
 enum {
     TRIALS = 4,      // how hard k may change: even steps from easing off to all there is
-    PLACES = 14,     // looked at ahead of the period: 260 periods. 40 of them, over 340, win nothing
-                     // and take twice as long
+    PLACES = 14,     // looked at ahead of the period: 260 periods. 40 over 340 win nothing, and
+                     // take twice as long
     NEAR_PLACES = 2, // stretches grow by half from there on
     TIME_STEPS = 2   // to a time: each halves the digits that lack
 };
@@ -147,7 +147,8 @@ static int eases_within(const ease_pace_t *pace, nck_num change, nck_num far, nc
 }
 
 // Try to ease off along a stretch.
-static void try_stretch(ease_trial_t *trial, const nck_stretch_walk_t *walk, const nck_stretch_t *on) {
+static void try_stretch(ease_trial_t *trial, const nck_stretch_walk_t *walk,
+                        const nck_stretch_t *on) {
     ease_pace_t *const pace = &trial->pace;
     const nck_num free = time_for(pace, 0, on->far);
     ease_range_t range;
@@ -198,7 +199,8 @@ static nck_num change_to_run(const ease_pace_t *pace, nck_num period) {
 // that sets off: a plan has come that brakes, so that its axes allow less than was counted on. Once
 // it takes all that axes allow without the plan (most), k′ is led to be gone when k is 1: the plan
 // is never overtaken.
-static nck_num change_at_last(const ease_pace_t *pace, nck_num change, nck_num most, nck_num period) {
+static nck_num change_at_last(const ease_pace_t *pace, nck_num change, nck_num most,
+                              nck_num period) {
     const nck_num left = nck_num_max(1 - pace->k, HALF * pace->dk * period);
     const nck_num must = HALF * pace->dk * pace->dk / left;
     const int is_last = pace->dk > 0 && must > most;
@@ -243,12 +245,13 @@ static nck_num free_change(const nck_stretch_walk_t *walk, const nck_stretch_poi
     for (int x = 0; x < walk->terms->axes; x++) {
         const nck_axis_t *const axis = &walk->terms->machine->axis[x];
         const nck_num size = NCK_NUM_ABS(at->first[x]);
-        const nck_num takes = (nck_num)nck_min(axis->j_max, axis->a_max / walk->terms->machine->period_s);
+        const nck_num takes = nck_num_min((nck_num)axis->j_max, (nck_num)axis->a_max / period);
         if (axis->present && size * most > takes) most = takes / size;
         square += size * size;
     }
     const nck_machine_t *const machine = walk->terms->machine;
-    const nck_num takes = (nck_num)nck_min(machine->path.j_max, machine->path.a_max / machine->period_s);
+    const nck_num takes =
+        nck_num_min((nck_num)machine->path.j_max, (nck_num)machine->path.a_max / period);
     return nck_num_min(most, takes / nck_num_max(NCK_NUM_SQRT(square), ALONG_LEAST));
 }
 
@@ -312,7 +315,8 @@ static nck_num change_for(const ease_pace_t *pace, nck_stretch_walk_t *walk, nck
 
 // The same, where prep may publish another plan at any time: then that counts. It does so once in
 // many periods.
-static nck_num change_now(const ease_pace_t *pace, const nck_stretch_walk_t *here, nck_num *most_out) {
+static nck_num change_now(const ease_pace_t *pace, const nck_stretch_walk_t *here,
+                          nck_num *most_out) {
     for (int round = 0; round < 2; round++) {
         nck_stretch_walk_t walk = *here;
         walk.word = nck_link_word(walk.link);

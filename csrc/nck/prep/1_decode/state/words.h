@@ -60,6 +60,12 @@ enum { NCK_LETTERS = 26 };
 static inline int nck_is_letter(char c) { return (unsigned)((c | 0x20) - 'a') < NCK_LETTERS; }
 static inline int nck_is_digit(char c) { return c >= '0' && c <= '9'; }
 
+// The first character that is no blank. Cost: linear in them.
+static inline const char *nck_skip_blanks(const char *at) {
+    while (*at == ' ' || *at == '\t') at++;
+    return at;
+}
+
 // Bits of letters and steps.
 #define NCK_LETTER(c) ((uint32_t)1 << ((c) - 'A'))
 #define NCK_STEP(k) ((uint32_t)1 << (k))

@@ -3,11 +3,6 @@
 // over it.
 #include "nck/prep/1_decode/tongue/tongue.h"
 
-static const char *skip_blanks(const char *at) {
-    while (*at == ' ' || *at == '\t') at++;
-    return at;
-}
-
 // One past the word if the text begins with it, in upper or lower case; else a null pointer.
 static const char *after(const char *at, const char *word) {
     while (*word != '\0') {
@@ -38,13 +33,13 @@ int nck_decode_foreign(const char *line) {
         "%_N_", "DEF REAL ", "DEF INT ", "DEF BOOL ", "DEF STRING", "DEF CHAR ", "DEF FRAME ",
         "DEF AXIS ", "PROC ", "EXTERN ", (const char *)0
     };
-    const char *at = skip_blanks(line);
+    const char *at = nck_skip_blanks(line);
     if (*at == '$' && (contains(at, ".MIN") || contains(at, ".SSB") || contains(at, ".LIB"))) {
         return NCK_HINT_OKUMA;
     }
     if (*at == 'N' || *at == 'n') at++;
     while (*at >= '0' && *at <= '9') at++;
-    at = skip_blanks(at);
+    at = nck_skip_blanks(at);
     if (after(at, "BEGIN PGM ") != (const char *)0) return NCK_HINT_HEIDENHAIN;
     return begins_with_one_of(at, sinumerik) ? NCK_HINT_SINUMERIK : 0;
 }

@@ -163,20 +163,16 @@ static char time_at(const char *at) {
     return (letter == 'S' || letter == 'P') && nck_is_digit(at[1]) ? letter : 0;
 }
 
-static const char *skip_blanks(const char *at) {
-    while (*at == ' ' || *at == '\t') at++;
-    return at;
-}
-
 int nck_printer_pauses(const nck_decode_t *self, double *wait_out) {
     if (!NCK_HAS_FOREIGN || self->tongue != NCK_TONGUE_MARLIN) return 0;
     const char *at = self->line.text + self->words.code_column[NCK_STEP_STOP];
     int pauses = 0;
     while (nck_is_digit(*at)) at++;
-    for (at = skip_blanks(at); time_at(at) != 0; at = skip_blanks(at)) {
+    at = nck_skip_blanks(at);
+    while (time_at(at) != 0) {
         const char letter = time_at(at);
         nck_number_t number;
-        at = nck_number_read(self->line.text, at + 1, &number);
+        at = nck_skip_blanks(nck_number_read(self->line.text, at + 1, &number));
         const double value = nck_number_real(&number), wait = letter == 'S' ? value : value / 1e3;
         if (!pauses || letter == 'S') *wait_out = wait < pause_most_s ? wait : pause_most_s;
         pauses = 1;
