@@ -67,7 +67,7 @@ def capacities_filled_in(text, definitions):
     for definition in definitions:
         name, value = definition.split("=")
         text, count = re.subn(rf"^(#define {name}) \S+$", rf"\g<1> {value}", text, flags=re.M)
-        if count == 0:
+        if count != 1:
             raise SystemExit(f"limits.h has no capacity {name}")
     return text
 

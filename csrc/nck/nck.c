@@ -11,7 +11,7 @@
 enum {
     PPM = 1000000, FEED_MOST = 2, // overrides
     STEPS_PER_BLOCK = 2, // of the look-ahead
-    PRICE_TICK = 60, PRICE_EASES = 640 // hundreds of instructions: the clock brakes or sets off
+    PRICE_TICK = 60, PRICE_EASES = 1280 // hundreds of instructions: the clock brakes or sets off
 };
 
 // Rooms 3 to 5 at rest at the machine's start position, and where the link ends.

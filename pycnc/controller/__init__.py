@@ -271,7 +271,8 @@ def _build(controller):
         raise FirmwareError("controllers are built from the sources of pycnc: work in a checkout, "
                             "with an editable install", id="controller-absent")  # fmt: skip
     folder = ROOT / "build" / "firmware" / controller
-    configure = [_tool("cmake"), "-S", ROOT, "-B", folder, "-DNCK_FIRMWARE=ON"]
+    configure = [_tool("cmake"), "-S", ROOT, "-B", folder, "-DNCK_FIRMWARE=ON",
+                 "-DNCK_CAPACITIES=FULL"]  # fmt: skip
     if controller in CORES:
         toolchain = ROOT / "firmware_sim" / "board" / "arm-none-eabi.cmake"
         configure += ["--toolchain", toolchain, f"-DNCK_CORE={controller}"]

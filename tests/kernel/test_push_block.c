@@ -167,7 +167,7 @@ static void program_errors_have_the_id(check_t *check)
     nck_block_in_t bad[] = {
         front_to(101, NCK_IN_LINE, 50.0, 0.0), front_to(102, NCK_IN_LINE, 2e6, 0.0),
         front_to(103, NCK_IN_LINE, 1.0, 0.0), front_arc(104, end, centre, 1),
-        front_word(105, NCK_IN_M, 123.0), front_word(106, NCK_IN_S, 90000.0),
+        front_word(105, NCK_IN_M, 987.0), front_word(106, NCK_IN_S, 90000.0),
         with_feed(front_to(107, NCK_IN_LINE, 2.0, 0.0), NCK_FEED_PER_REV, 1.0)};
     const nck_status_t errors[] = {NCK_E_TRAVEL, NCK_E_NUMBER_RANGE, NCK_E_AXIS_UNKNOWN,
                                    NCK_E_ARC_RADIUS, NCK_E_M_UNKNOWN, NCK_E_NUMBER_RANGE,

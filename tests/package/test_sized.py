@@ -17,7 +17,6 @@ ROOT = Path(__file__).resolve().parents[2]
 CSRC = ROOT / "csrc"
 LIMITS = (CSRC / "nck" / "base" / "limits.h").read_text(encoding="utf-8")
 DEFAULTS = dict(re.findall(r"^#ifndef (NCK_\w+)\n#define \1 (\d+)$", LIMITS, re.M))
-DEFAULTS["NCK_CLOCKED"] = re.search(r"^#else\n#define NCK_CLOCKED (\d+)$", LIMITS, re.M)[1]
 POWERS = [2**k for k in range(5, 13)]
 # Other values of each that limits.h takes beside the defaults of the rest.
 VALUES = {

@@ -66,13 +66,13 @@
 // Nodes of the look-ahead window (three a seg at most). Power of two, 16..65536. Too short
 // for the braking distance costs time, never safety; it is reported as limit "lookahead".
 #ifndef NCK_WINDOW
-#define NCK_WINDOW 128
+#define NCK_WINDOW 256
 #endif
 
 // Junctions on either side that share one interpolation period at most. Power of two, 2..256.
 // Denser paths are slowed down until the span covers a period.
 #ifndef NCK_CORNER_SPAN
-#define NCK_CORNER_SPAN 32
+#define NCK_CORNER_SPAN 64
 #endif
 
 // Taps of the jerk-limited slope's output filter: a mean of the path coordinate over so many
@@ -86,29 +86,23 @@
 // (two to four periods if the window would else be shorter than braking takes): fewer nodes cost
 // time, never safety. 0 leaves it out, and "optimal".
 #ifndef NCK_PROFILE
-#define NCK_PROFILE 256
+#define NCK_PROFILE 1024
 #endif
 
 // Knots of the optimal slope's window (path.slope = "optimal"), which alone smooths within a
 // tolerance. A multiple of 8, 64..1024; 0 leaves it out: the path is exact under G64, too. It needs
-// the jerk-limited slope and segs for one and a half windows; by default it is there where they
-// are. 64 last 0.15 to 0.26 s on the shipped machines: half of them is what a stop takes, so fewer
-// would be no window. Below 256 its solvers have single precision, half of the memory, and knots
-// are further apart: 64, 96 and 128 take 2.7, 0.9 and 0.7 % more time than 256 on families.
+// the jerk-limited slope and segs for one and a half windows. 64 last 0.15 to 0.26 s on the shipped
+// machines: half of them is what a stop takes, so fewer would be no window. Below 256 its solvers
+// have single precision, half of the memory, and knots are further apart: 64, 96 and 128 take 2.7,
+// 0.9 and 0.7 % more time than 256 on families.
 #ifndef NCK_CLOCKED
-#if NCK_PROFILE == 0 || NCK_WINDOW < 64
 #define NCK_CLOCKED 0
-#elif NCK_WINDOW < 128
-#define NCK_CLOCKED 64
-#else
-#define NCK_CLOCKED 96
-#endif
 #endif
 
 // Cells between the slope and the tick. Power of two, 16..4096. More cells bridge longer pauses of
 // prep.
 #ifndef NCK_CELL_MAX
-#define NCK_CELL_MAX 64
+#define NCK_CELL_MAX 128
 #endif
 
 // Segs alive at once: window, corner span and cells all point into this ring.
