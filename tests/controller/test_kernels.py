@@ -47,7 +47,8 @@ def build(target, kernel, checkout, folder, core="m7", settings=""):
     """Build a target on a checkout, with a folder of settings or none; return the process."""
     folder = folder / core
     configure = [CMAKE, "-S", ROOT, "-B", folder, "-G", "Ninja", f"-DCMAKE_MAKE_PROGRAM={NINJA}"]
-    configure += [f"--toolchain={TOOLCHAIN}", f"-DNCK_CORE={core}", "-DNCK_FIRMWARE=ON"]
+    configure += [f"--toolchain={TOOLCHAIN}", f"-DNCK_CORE={core}", "-DNCK_FIRMWARE=ON",
+                  "-DNCK_CAPACITIES=FULL"]  # fmt: skip
     configure += [f"-D{other.option}=" for other in CHECKOUTS if other != kernel]
     configure += [f"-D{kernel.option}={checkout}", f"-DNCK_KERNEL_CONFIG_DIR={settings}"]
     done = subprocess.run(configure, capture_output=True, text=True)
