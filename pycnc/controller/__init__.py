@@ -281,8 +281,7 @@ def _build(controller):
     with (folder / "lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         make = [_tool("cmake"), "--build", folder, "--target", "firmware", "--parallel", "2"]
-        is_configured = (folder / "Makefile").exists()  # the build sees whether it must be again
-        for command in (make,) if is_configured else (configure, make):
+        for command in (configure, make):  # a folder of before has other capacities
             done = subprocess.run(command, capture_output=True, text=True)
             if done.returncode != 0:
                 raise FirmwareError(f"the firmware of {controller} does not build:\n{done.stdout}"

@@ -8,7 +8,6 @@ from test_linuxcnc import WITHIN, random_script, ring
 
 PERIOD_S = 0.25e-3
 MOST = 150_000  # instructions of a cycle
-MOST_ASKED = 150_000  # where an operator asks for stops
 UNBOUND = Machine(traj="NCK_BUDGET = 100000")
 SEEDS, LINES = 400, 40  # a script's begin: valgrind takes its time
 EDGES = [f"line 100 {5 * (n + n % 2)} {5 * (n - n % 2)} 0\nrun 1" for n in range(1, 9)]
@@ -49,13 +48,13 @@ def test_a_cycle_of_a_quarter_millisecond_is_bounded(stand_in, name, machine):
 @pytest.mark.parametrize("seed", range(SEEDS))
 def test_the_same_under_a_random_operator(stand_in, seed):
     script = [line.replace(f"{EVER}", "700") for line in random_script(seed)[:LINES]]
-    assert stand_in.count([f"period {PERIOD_S}", *script, "run 1000"]).max() <= MOST_ASKED
+    assert stand_in.count([f"period {PERIOD_S}", *script, "run 1000"]).max() <= MOST
 
 
 @pytest.mark.thorough
 def test_a_cycle_behind_an_abort_costs_no_more(stand_in):
     script = [*paced(ring(300))[:-1], "abort", "rest 20000", "line 50 0 0 0", "run 2000"]
-    assert stand_in.count(script).max() <= MOST_ASKED
+    assert stand_in.count(script).max() <= MOST
 
 
 @pytest.mark.parametrize("name", PROGRAMS)

@@ -34,8 +34,6 @@
 // … and of all that axes have in a period, so near 1 that it may run: the plan may take all of it.
 #define RUN_SHARE NCK_NUM_OF(0.003)
 
-#define HALF NCK_NUM_OF(0.5)
-
 // Numbers of the solvers' type are enough for how fast and how hard: the clock itself is kept in
 // double precision. Where a processor has no doubles in hardware they take a tenth of the time.
 enum {
@@ -113,7 +111,8 @@ static void bound_accel(ease_range_t *range, const nck_stretch_ways_t *on, nck_n
     // What a sample shows is the mean, whatever the plan does within it.
     const nck_num mean = far > 0 ? on->rise / far : 0;
     bound(range, (on->rise * pace->k + on->first[1] * pace->dk * time) / time,
-          HALF * on->first[1] * time, nck_num_max(a_max, NCK_NUM_ABS(mean) * pace->k * pace->k));
+          NCK_NUM_OF(0.5) * on->first[1] * time,
+          nck_num_max(a_max, NCK_NUM_ABS(mean) * pace->k * pace->k));
 }
 
 // Before any axis is asked.
@@ -142,7 +141,7 @@ static int is_on_way(const ease_pace_t *pace) {
 static int eases_within(const ease_pace_t *pace, nck_num change, nck_num far, nck_num period) {
     if (!(pace->way * change < 0)) return 0;
     const nck_num time = -pace->dk / change;
-    const nck_num k = pace->k + HALF * pace->dk * (time + period);
+    const nck_num k = pace->k + NCK_NUM_OF(0.5) * pace->dk * (time + period);
     return k >= 0 && k <= 1 && time * (pace->k + pace->dk * time / 3) <= far;
 }
 
@@ -162,7 +161,7 @@ static void try_stretch(ease_trial_t *trial, const nck_stretch_walk_t *walk,
     }
     const nck_num time = time_for(pace, easing, on->far);
     if (!(time > 0)) return;
-    pace->k += (pace->dk + HALF * easing * time) * time;
+    pace->k += (pace->dk + NCK_NUM_OF(0.5) * easing * time) * time;
     pace->dk += easing * time;
     if (is_on_way(pace)) trial->verdict = EASE_OPEN;
 }
@@ -201,8 +200,8 @@ static nck_num change_to_run(const ease_pace_t *pace, nck_num period) {
 // is never overtaken.
 static nck_num change_at_last(const ease_pace_t *pace, nck_num change, nck_num most,
                               nck_num period) {
-    const nck_num left = nck_num_max(1 - pace->k, HALF * pace->dk * period);
-    const nck_num must = HALF * pace->dk * pace->dk / left;
+    const nck_num left = nck_num_max(1 - pace->k, NCK_NUM_OF(0.5) * pace->dk * period);
+    const nck_num must = NCK_NUM_OF(0.5) * pace->dk * pace->dk / left;
     const int is_last = pace->dk > 0 && must > most;
     return is_last ? nck_num_min(change, -must) : change;
 }
@@ -217,7 +216,8 @@ static nck_num choose(const ease_pace_t *pace, const ease_range_t *range, nck_nu
     const nck_num most = nck_num_min(range->high, change_to_run(pace, period));
     const nck_num room = pace->way < 0 ? nck_num_min(0, range->low - least)
                                         : nck_num_max(0, most - least);
-    const nck_num k = pace->k + (pace->dk + HALF * nck_num_max(0, room) * period) * period;
+    const nck_num gains = NCK_NUM_OF(0.5) * nck_num_max(0, room) * period;
+    const nck_num k = pace->k + (pace->dk + gains) * period;
     const int steps = pace->way < 0 ? TRIALS : TRIALS - 1; // setting off, the last is easing off
     ease_trial_t trials[TRIALS];
     for (int i = 0; i < TRIALS; i++) {
@@ -226,7 +226,7 @@ static nck_num choose(const ease_pace_t *pace, const ease_range_t *range, nck_nu
         trial->change = least + room * share;
         trial->pace.way = pace->way;
         trial->pace.dk = pace->dk + trial->change * period;
-        trial->pace.k = pace->k + HALF * (pace->dk + trial->pace.dk) * period;
+        trial->pace.k = pace->k + NCK_NUM_OF(0.5) * (pace->dk + trial->pace.dk) * period;
         trial->verdict = !(trial->pace.k > 0) || trial->pace.k > 1 ? EASE_BAD
                          : is_on_way(&trial->pace) ? EASE_OPEN : EASE_GOOD;
     }
@@ -297,7 +297,8 @@ static void bound_period(ease_range_t *range, nck_stretch_walk_t *walk, const ea
 // off without the plan.
 static nck_num change_for(const ease_pace_t *pace, nck_stretch_walk_t *walk, nck_num *most_out) {
     const nck_num period = walk->period;
-    const nck_num k = nck_num_max(HALF * pace->k, pace->k + HALF * pace->dk * period);
+    const nck_num half = NCK_NUM_OF(0.5);
+    const nck_num k = nck_num_max(half * pace->k, pace->k + half * pace->dk * period);
     nck_stretch_t on;
     ease_range_t range;
     nck_stretch_look(walk, &on.to);
@@ -307,7 +308,7 @@ static nck_num change_for(const ease_pace_t *pace, nck_stretch_walk_t *walk, nck
     if (walk->ends) return 0;
     if (range.low <= range.high) return choose(pace, &range, free, walk, &on);
     const nck_num gone = -pace->dk / period;
-    const nck_num middle = HALF * (range.low + range.high);
+    const nck_num middle = NCK_NUM_OF(0.5) * (range.low + range.high);
     const nck_num change = pace->way < 0 ? nck_num_min(middle, nck_num_max(0, gone))
                                           : nck_num_max(middle, nck_num_min(0, gone));
     return change_at_last(pace, change, free, period);

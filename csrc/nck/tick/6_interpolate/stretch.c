@@ -6,8 +6,6 @@
 
 #include "nck/base/path.h" // nck_path_ways nck_path_way_at
 
-#define HALF NCK_NUM_OF(0.5)
-
 // Of a path that goes by time every seg is an interval of it.
 void nck_stretch_look(const nck_stretch_walk_t *walk, nck_stretch_point_t *out) {
     const nck_cell_t *const cell = walk->cell;
@@ -16,8 +14,8 @@ void nck_stretch_look(const nck_stretch_walk_t *walk, nck_stretch_point_t *out) 
     const nck_num per = 1 / (nck_num)seg->length;
     const nck_num jerk = (nck_num)cell->j;
     const nck_num a = (nck_num)cell->a + jerk * t;
-    const nck_num v = (nck_num)cell->v + (a - HALF * jerk * t) * t;
-    const nck_num way = (v - (HALF * a - jerk / 6 * t) * t) * t;
+    const nck_num v = (nck_num)cell->v + (a - NCK_NUM_OF(0.5) * jerk * t) * t;
+    const nck_num way = (v - (NCK_NUM_OF(0.5) * a - jerk / 6 * t) * t) * t;
     const nck_num f = nck_num_min(((nck_num)cell->s + nck_num_max(0, way)) * per, 1);
     const nck_num rate = nck_num_max(0, v) * per;
     for (int x = 0; x < walk->terms->axes; x++) {
