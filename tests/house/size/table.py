@@ -42,7 +42,7 @@ HOLD_TICK = 150
 WIRES = "nck.c (wires)"
 SETS = {
     "linear": "linear", "jerk": "jerk", "mill": "mill", "small": "small", "optimal": "optimal",
-    "default": "medium, the default", "host": "host",
+    "full": "full", "default": "medium, the default", "host": "host",
 }  # fmt: skip
 LEAN_SETS = ("linear", "jerk", "mill", "small", "optimal")
 FLASH = "flash [bytes]"
