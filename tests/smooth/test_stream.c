@@ -7,7 +7,7 @@
 #include "nck/base/path.h"            // nck_path_point
 #include "nck/prep/3_smooth/stream.h" // nck_stream_…
 
-enum { SEGS = 400, PIECES = 4000, PER_PIECE = 16 };
+enum { WIDE = 20, SEGS = 400, PIECES = 4000, PER_PIECE = 16 };
 
 static nck_stream_t stream;
 static nck_stream_wish_t wish;
@@ -182,6 +182,24 @@ static void the_curve_is_within_the_tolerance_everywhere(check_t *check)
     }
 }
 
+// Far wider than an interval's jerk can go: the rows hold next to nothing, in any precision.
+static void a_wide_tolerance_has_a_curve_too(check_t *check)
+{
+    for (uint32_t k = 0; k < WIDE; k++) {
+        begin();
+        state = 77u + k;
+        const double tolerance = 0.2 * (double)(1u << k % 4u) * (1.5 + any());
+        const double jerk = 2000.0 * (double)(1u << k % 5u);
+        for (int x = 0; x < NCK_AXIS_MAX; x++) wish.terms.j[x] = wish.terms.smooth[x] = jerk;
+        wish.terms.j_least = wish.terms.smooth_least = jerk;
+        for (int n = 0; n < 8; n++) add(12.0 * any(), 12.0 * any());
+        CHECK_INT(check, run(tolerance), NCK_DONE);
+        CHECK_INT(check, stream.told.missed, 0);
+        const double off = worst_off();
+        if (!CHECK(check, off <= tolerance)) printf("    %u: %g of %g\n", k, off, tolerance);
+    }
+}
+
 static void pieces_are_one_curve_from_rest_to_rest(check_t *check)
 {
     for (int k = 0; k < 3; k++) {
@@ -257,6 +275,7 @@ int main(void)
 {
     check_t check = {0};
     CHECK_RUN(&check, the_curve_is_within_the_tolerance_everywhere);
+    CHECK_RUN(&check, a_wide_tolerance_has_a_curve_too);
     CHECK_RUN(&check, pieces_are_one_curve_from_rest_to_rest);
     CHECK_RUN(&check, every_piece_tells_the_line_it_begins_in);
     CHECK_RUN(&check, the_same_program_gives_the_same_bits);

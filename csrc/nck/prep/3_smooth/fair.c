@@ -6,8 +6,6 @@
 
 #include "nck/prep/3_smooth/basis_math.h" // nck_basis_…
 
-#define STAY ((nck_num)0.03) // where jerk is far below its limit the curve stays near its
-                               // samples; without it a third more iterations
 #define ROOM ((nck_num)0.3)  // [P²] a slack begins with at least
 #define BETTER ((nck_num)0.02) // [P²] by which a sample is worse before a row changes to it:
                                  // less and noise makes them take turns
@@ -154,7 +152,7 @@ typedef struct pulls {
     nck_num curve[NCK_AXIS_MAX];                  // of the jerk's share, its second derivative
     nck_num weight[NCK_FAIR_BINS][4];             // of the control points
     nck_num pull[NCK_FAIR_BINS][NCK_AXIS_MAX];    // on every axis
-    nck_num block[NCK_FAIR_BINS][NCK_BLOCK_SIZE]; // 4 z/s e eᵀ + 2 (z + STAY) I, half of it
+    nck_num block[NCK_FAIR_BINS][NCK_BLOCK_SIZE]; // 4 z/s e eᵀ + 2 (z + stay) I, half of it
 } pulls_t;
 
 // The share of row b.
@@ -164,10 +162,10 @@ static inline void share_row(const nck_fair_t *self, int axes, int b, pulls_t *o
     const nck_num per_slack = 1 / self->slack[b];
     const nck_num z = self->price[b];
     const nck_num z_per_slack = z * per_slack;
-    const nck_num even = 2 * (z + STAY);
+    const nck_num even = 2 * (z + self->task.stay);
     nck_num miss = self->slack[b] - self->limit[b];
     for (int a = 0; a < axes; a++) miss += e[a] * e[a];
-    const nck_num pull = 2 * (self->sum.mu * per_slack + z_per_slack * miss + STAY);
+    const nck_num pull = 2 * (self->sum.mu * per_slack + z_per_slack * miss + self->task.stay);
     int at = 0;
     for (int a = 0; a < axes; a++) {
         const nck_num raised = 4 * z_per_slack * e[a];

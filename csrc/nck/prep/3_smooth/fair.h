@@ -5,7 +5,7 @@
 // Interval i has control points i … i + 3. The first three stay, and the last three where the path
 // ends. Wanted is the least
 //
-//     Σ_i Σ_a q + even q²  +  STAY Σ_b |e_b|²      q = weight_a (jerk_ia + scale·Δ³y_ia)²
+//     Σ_i Σ_a q + even q²  +  stay Σ_b |e_b|²      q = weight_a (jerk_ia + scale·Δ³y_ia)²
 //                                                  |e| ≤ limit
 //
 // jerk: of the reference, over the axes' limit. What a motion takes goes by its largest jerk, to
@@ -41,6 +41,7 @@ typedef struct nck_fair_task {
     nck_num gap;    // it is done when the answer is within this share of the best
     nck_num even;   // what the fourth power of a share of jerk counts beside its square
     nck_num scale;  // P/(J τ³), J: the least jerk of an axis
+    nck_num stay;   // what a curve off its samples counts where jerk is far below its limit
     nck_num weight[NCK_AXIS_MAX]; // (J / jerk of the axis)²
 } nck_fair_task_t;
 

@@ -172,8 +172,7 @@ static void cut(nck_timing_t *self, nck_timing_list_t *list) {
         go(self, NCK_TIMING_SUM);
         return;
     }
-    int count = (int)(self->make.all / quarter) + 1;
-    if (count > NCK_TIMING_CELLS) count = NCK_TIMING_CELLS;
+    int count = (int)nck_min(self->make.all / quarter + 1.0, NCK_TIMING_CELLS);
     if (count < LEAST) count = LEAST; // from rest to rest something has to move between
     begin_sampling(self, list, count, nck_min(self->make.all / count, quarter), 0.0);
     go(self, NCK_TIMING_SAMPLE);
@@ -197,7 +196,8 @@ static void add_up(nck_timing_t *self, nck_timing_list_t *list) {
 static void take_mean(nck_timing_t *self, nck_timing_list_t *list) {
     const nck_place_t *const sum = &list->at[kept_of(list)];
     const double blur = nck_max(BLUR, BLUR_KNOTS * self->terms->tau);
-    const int half = (int)(0.5 * blur / self->make.step + 0.5);
+    const double wide = 0.5 * blur / self->make.step + 0.5; // without end where steps are of no time
+    const int half = wide < self->make.count ? (int)wide : self->make.count;
     const int all = self->make.count + 1;
     const int to = slice_end(self, all);
     for (; self->at < to; self->at++) {
@@ -247,8 +247,7 @@ static void set_window(nck_timing_t *self, const nck_timing_list_t *list, double
         if (self->knots < LEAST) self->knots = LEAST;
         more = self->knots * tau - all;
     } else {
-        const int knots = (int)(all / tau) - MARGIN;
-        self->knots = knots < NCK_FAIR_WINDOW ? knots : NCK_FAIR_WINDOW;
+        self->knots = (int)nck_min(all / tau, NCK_FAIR_WINDOW + MARGIN) - MARGIN;
         if (self->knots < SHORTEST) self->knots = SHORTEST;
         more = nck_max(0.0, (SHORTEST + MARGIN) * tau - all);
     }
