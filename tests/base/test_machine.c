@@ -7,6 +7,8 @@
 #include "check.h"
 #include "nck/base/machine.h" // nck_machine_check
 
+enum { BEST = NCK_HAS_OPTIMAL ? NCK_SLOPE_OPTIMAL : NCK_HAS_JERK ? NCK_SLOPE_JERK : NCK_SLOPE_LINEAR };
+
 static nck_machine_t machine;
 
 static void the_default_machine_is_good(check_t *check) {
@@ -17,7 +19,7 @@ static void the_default_machine_is_good(check_t *check) {
 
 static void the_default_machine_is_what_its_header_says(check_t *check) {
     nck_machine_default(&machine);
-    CHECK(check, machine.period_s == 1e-3 && machine.slope == NCK_SLOPE_JERK);
+    CHECK(check, machine.period_s == 1e-3 && machine.slope == BEST);
     CHECK(check, machine.path.tolerance == 0.01);
     CHECK(check, machine.kinematics == NCK_KINEMATICS_IDENTITY);
     CHECK(check, machine.dialect.base == NCK_DIALECT_LINUXCNC && machine.dialect.plane == 17);

@@ -74,7 +74,7 @@ static void without_smoothing_a_tolerance_is_noted_and_the_path_exact(check_t *c
         const nck_diagnostic_t note = find(NCK_NOTE_TOLERANCE);
         CHECK_INT(check, note.code, NCK_HAS_OPTIMAL ? 0 : NCK_NOTE_TOLERANCE);
         CHECK_INT(check, note.line, NCK_HAS_OPTIMAL ? 0 : 2);
-        CHECK(check, (within != exact) == NCK_HAS_OPTIMAL);
+        CHECK(check, (within != exact) == (slope == NCK_SLOPE_OPTIMAL));
     }
 }
 

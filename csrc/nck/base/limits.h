@@ -96,7 +96,7 @@
 // have single precision, half of the memory, and knots are further apart: 64, 96 and 128 take 2.7,
 // 0.9 and 0.7 % more time than 256 on families.
 #ifndef NCK_CLOCKED
-#define NCK_CLOCKED 0
+#define NCK_CLOCKED 96
 #endif
 
 // Cells between the slope and the tick. Power of two, 16..4096. More cells bridge longer pauses of
