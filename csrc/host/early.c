@@ -58,8 +58,8 @@ static nck_status_t push_seg(nck_host_early_t *self, const nck_seg_t *seg) {
     row->seq = seg->seq;
     row->block = seg->block;
     row->rapid = seg->rapid;
-    row->is_whole = seg->kind == NCK_SEG_SPLINE;
-    if (row->is_whole) {
+    row->kind = seg->kind;
+    if (row->kind == NCK_SEG_SPLINE) {
         batch->wholes[batch->whole_count] = *seg;
         batch->whole_count++;
     }

@@ -179,9 +179,10 @@ void nck_host_plan_take(nck_host_plan_t *plan, const nck_host_batch_t *batch) {
 static void take_seg(nck_host_plan_t *plan, const nck_host_batch_seg_t *row) {
     nck_link_t *const link = nck_link_of(plan->nck);
     nck_seg_t *const seg = nck_link_seg_place(link);
-    if (row->is_whole) {
+    if (row->kind == NCK_SEG_SPLINE) {
         *seg = plan->batch->wholes[plan->used.whole++];
     } else {
+        seg->kind = row->kind;
         seg->s_begin = row->why.s_begin;
         seg->length = row->length_mm - row->why.s_begin;
         seg->keeps = NCK_KEEP_NOTHING;
