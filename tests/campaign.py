@@ -15,7 +15,7 @@ printed before it. The exit status is the number of parts that found something.
     stops       20 000 rests asked for at any moment, after anything, prep alive or dead; 10 000 in
                 the stand-in for LinuxCNC, 1 000 on each Cortex-M under QEMU
     limits      3 000 programs whose limits change while they run, and an operator
-    nasty       4 000 nasty programs a slope
+    nasty       4 000 nasty programs a slope, 1 000 of arcs on which the tick brakes
     clocked     1 000 programs, 2 000 rests and 4 000 nasty programs along clocked paths (they find
                 some yet)
     scripts     24 000 random scripts of the front door, 100 000 programs; 20 000 sessions with
@@ -55,8 +55,9 @@ PARTS = {
     "sanitizers": [f"{PYTEST} tests -k sanitized"],
     "quality": [f"{PYTEST} tests/house/test_quality.py"],
     "mutants": ["tests/house/mutate.py --count 100 --seed {seed}"],
-    "nasty": [f"tests/kernel/nasty.py --slope {slope} --count 4000 --seed {{seed}}"
-              for slope in SLOPES],
+    "nasty": [f"tests/kernel/nasty.py --slope {slope} --seed {{seed}} {words}"
+              for slope in SLOPES
+              for words in ("--count 4000", "--count 1000 --family held_arcs")],
     "stops": ["tests/stop_gate.py 20000 {seed}", "tests/linuxcnc/linuxcnc_stops.py 10000 {seed}",
               "tests/controller/firmware_stops.py 2000 {seed}"],
     "limits": ["tests/new_limits.py 3000 {seed}"],

@@ -114,10 +114,10 @@ def _with_fewer(case, name, is_kept):
         size //= 2
 
 
-def findings(slope, seed, numbers, worker):
+def findings(slope, seed, numbers, worker, family="all"):
     """Yield (number, case, finding) of everything that is found."""
     for number in numbers:
-        case = nasty_seeds.case(slope, seed, number)
+        case = nasty_seeds.case(slope, seed, number, family)
         for finding in worker.find(case):
             yield number, case, finding
 
@@ -134,13 +134,15 @@ def main(arguments=None):
     """Run the command line; return the exit code."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--slope", choices=(*nasty_seeds.SLOPES, "optimal"), default="jerk")
+    parser.add_argument("--family", choices=nasty_seeds.FAMILIES, default="all")
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--first", type=int, default=0, help="number of the first case")
     options = parser.parse_args(arguments)
     worker, kinds = Worker(), {}
     numbers = range(options.first, options.first + options.count)
-    for number, case, finding in findings(options.slope, options.seed, numbers, worker):
+    drawn = options.slope, options.seed, numbers, worker, options.family
+    for number, case, finding in findings(*drawn):
         kind = kind_of(finding)
         kinds[kind] = kinds.get(kind, 0) + 1
         print(f"=== {options.slope} {options.seed} {number}: {finding}", flush=True)

@@ -16,13 +16,15 @@ SLOPES = ("jerk", "linear")
 COMMANDS = ("hold", "resume", "resume", "override", "override", "single_block", "abort")
 
 
-def case(slope, seed, number):
+def case(slope, seed, number, family="all"):
     """Return case `number` of a seed for a slope."""
-    return Author(slope, np.random.default_rng([seed, number])).case()
+    return FAMILIES[family](slope, np.random.default_rng([seed, number])).case()
 
 
 class Author:
     """Draws one case."""
+
+    _periods_ms = PERIODS_MS
 
     def __init__(self, slope, rng):
         self._slope, self._rng = slope, rng
@@ -45,7 +47,7 @@ class Author:
         while len(self._items) < count:
             self._figure()
         commands = self._operator()
-        steps = 256 if self._rng.random() < 0.6 else int(self._rng.choice((1, 2, 3, 7, 20)))
+        steps = self._prep_steps()
         relative = bool(self._rng.random() < 0.2)
         return Case(machine, tuple(self._items), relative, commands, steps)
 
@@ -80,7 +82,7 @@ class Author:
 
     def _machine(self):
         rng = self._rng
-        self._period = self._one_of(*PERIODS_MS) * 1e-3
+        self._period = self._one_of(*self._periods_ms) * 1e-3
         base = [self._log(5, 5000), self._log(20, 20000), 0]
         base[2] = base[1] * self._log(5, 500)
         if rng.random() < 0.3:  # a milling machine
@@ -276,6 +278,9 @@ class Author:
 
     # The operator
 
+    def _prep_steps(self):
+        return 256 if self._rng.random() < 0.6 else int(self._rng.choice((1, 2, 3, 7, 20)))
+
     def _operator(self):
         if self._rng.random() < 0.6:
             return ()
@@ -290,3 +295,33 @@ class Author:
                 numbers = (int(self._rng.random() < 0.7),)
             commands.append((int(self._rng.uniform(0, last)), name, *numbers))
         return tuple(sorted(commands))
+
+
+class HeldArcs(Author):
+    """Arcs on the exact path with long periods, where prep is late and the tick has to brake."""
+
+    _periods_ms = (2, 4, 4, 10)
+
+    def _mode(self):
+        return Mode(EXACT)
+
+    def _figure(self):
+        self._one_of(self._arc, self._arc, self._arc, self._line, self._bend)()
+
+    def _prep_steps(self):
+        return int(self._rng.choice((1, 1, 2, 3)))
+
+    def _operator(self):
+        """Rests at random moments, each given up behind a while but the last one."""
+        commands, at = [], 0.0
+        for _ in range(int(self._rng.integers(1, 6))):
+            at += self._log(5, 400)
+            commands.append((int(at), "hold"))
+            at += self._log(5, 400)
+            commands.append((int(at), "resume"))
+        if self._rng.random() < 0.5:
+            commands[-1] = (commands[-1][0], "abort")
+        return tuple(commands)
+
+
+FAMILIES = {"all": Author, "held_arcs": HeldArcs}

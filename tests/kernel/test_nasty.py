@@ -48,6 +48,14 @@ def test_nasty_programs_find_nothing_and_few_are_slower_than_with_stops(slope, w
     assert len(slower) <= SLOWER_MOST[slope], slower
 
 
+@pytest.mark.sample(12, quick=3)
+@pytest.mark.parametrize("seed", range(10, 210))
+@pytest.mark.parametrize("slope", SLOWER_MOST)
+def test_a_hold_of_the_tick_on_exact_arcs_keeps_every_limit(slope, seed, worker):
+    found = nasty.findings(slope, seed, range(5), worker, "held_arcs")
+    assert [f"{number}: {words}" for number, _, words in found if "slower" not in words] == []
+
+
 @pytest.mark.sample(20, quick=5)
 @pytest.mark.parametrize("number", range(400))
 def test_a_nasty_program_keeps_limits_path_and_stops_by_the_s_shape(number):
@@ -60,10 +68,15 @@ def test_a_nasty_program_keeps_limits_path_and_stops_by_the_s_shape(number):
 
 
 # Found once, with an operator: a hold that kept to what its bends leave at a lower speed; overrides
-# that were not heard, because the brake broke rule R, or no block's end was far enough to rest at.
-@pytest.mark.parametrize(("seed", "number"), [(2, 343), (7, 1324), (11, 814)])
-def test_what_was_found_once_is_found_no_more(seed, number, worker):
-    assert [case for _, _, case in nasty.findings("jerk", seed, [number], worker)] == []
+# that were not heard, because the brake broke rule R, or no block's end was far enough to rest at;
+# the tick's brake took all of an axis' acceleration in a bend; it set off past the path's own jerk.
+@pytest.mark.parametrize(
+    ("seed", "number", "family"),
+    [(2, 343, "all"), (7, 1324, "all"), (11, 814, "all"), (702, 2621, "all"),
+     (2, 467, "held_arcs")],
+)  # fmt: skip
+def test_what_was_found_once_is_found_no_more(seed, number, family, worker):
+    assert [case for _, _, case in nasty.findings("jerk", seed, [number], worker, family)] == []
 
 
 def to(x, y=0.0, z=0.0):

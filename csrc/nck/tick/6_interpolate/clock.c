@@ -127,9 +127,11 @@ static void bound_axis(const nck_clock_t *self, const nck_terms_t *terms, int x,
     if (!axis->present || along < ALONG_LEAST) return;
     const double here = sign * (at[0]->second[x] + at[0]->third[x] * v * period);
     const double curve = nck_min(here, sign * at[1]->second[x]) * next * next;
-    const double a_max = nck_max(0.0, SHARE * axis->a_max - (double)self->jump[x] * next / period);
+    const double corner = (double)self->jump[x] * next / period;
+    const double a_max = nck_max(0.0, SHARE * axis->a_max - corner);
     const double least = -LEAST_SHARE * axis->a_max / along;
-    bounds->a_floor = nck_max(bounds->a_floor, -axis->a_max / along);
+    const double all = axis->a_max - corner + nck_min(0.0, curve);
+    bounds->a_floor = nck_max(bounds->a_floor, -nck_max(0.0, all) / along);
     bounds->a_low = nck_max(bounds->a_low, nck_min((-a_max - curve) / along, least));
     if (!terms->limits_jerk) return; // by steps: what follows counts where it is felt
     const double a_there = nck_max(0.0, SHARE * axis->a_max - end->jump[x] * v / period);
@@ -350,20 +352,23 @@ void nck_clock_leave(nck_clock_t *self, uint32_t kept) {
 }
 
 // The speed that an axis may have on the way, where the path's is v now: it grows by A.
-static double speed_soon(const nck_axis_t *axis, double v) {
-    return nck_min(axis->v_max, SOON_SHARE * v + axis->a_max * axis->a_max / axis->j_max);
+static double speed_soon(double v_max, double a_max, double j_max, double v) {
+    return nck_min(v_max, SOON_SHARE * v + a_max * a_max / j_max);
 }
 
 double nck_clock_set_off(nck_clock_t *self, const nck_terms_t *terms, double v) {
     const nck_machine_t *const machine = terms->machine;
     const double period = machine->period_s;
-    double tau = 0.0;
     double a_max = machine->path.a_max;
+    const double j_path = machine->path.j_max;
+    const double soon = speed_soon(nck_max(v, machine->path.feed_max), a_max, j_path, v);
+    double tau = time_constant(soon, a_max, j_path);
     for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
         if (!axis->present) continue;
         a_max = nck_min(a_max, axis->a_max);
-        tau = nck_max(tau, time_constant(speed_soon(axis, v), axis->a_max, axis->j_max));
+        const double speed = speed_soon(axis->v_max, axis->a_max, axis->j_max, v);
+        tau = nck_max(tau, time_constant(speed, axis->a_max, axis->j_max));
     }
     // k″ = (1 − k)/τ² − 2k′/τ by an implicit step, which never overshoots.
     const double share = period / tau;
