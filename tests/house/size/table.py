@@ -37,8 +37,11 @@ OPTIONS = {
 }
 DIALECT = "-std=c99 -ffp-contract=off -fno-math-errno -ffunction-sections -DNDEBUG".split()
 RUNTIME = "C runtime"
-SMOOTHED, HELD = "_smoothed", "_held"
-HOLD_TICK = 150
+SMOOTHED, HELD, LONG = "_smoothed", "_held", "_long_held"
+HOLD_TICK, LONG_TICK = 150, 600
+# A soft machine, which takes hundreds of periods to rest.
+SOFT = tuple(f"axis.{axis}.{limit}" for axis in "xyz"
+             for limit in ("a_max_mm_s2=300", "j_max_mm_s3=1000"))  # fmt: skip
 WIRES = "nck.c (wires)"
 SETS = {
     "linear": "linear", "jerk": "jerk", "mill": "mill", "small": "small", "optimal": "optimal",
@@ -57,7 +60,7 @@ BUDGETS = (
     ("micrometres", "linear"), ("micrometres", "jerk"), ("rotary", "linear"),
     ("zigzag_smoothed", "jerk"), ("zigzag_smoothed", "optimal"),
     ("zigzag_smoothed_held", "jerk"), ("zigzag_smoothed_held", "optimal"),
-    ("star_smoothed_held", "optimal"),
+    ("star_smoothed_held", "optimal"), ("helix_smoothed_long_held", "optimal"),
 )  # fmt: skip
 
 
@@ -151,12 +154,13 @@ def measure_stack(core, image):
 def measure_instructions(core, name, slope):
     """Return (most and mean of a tick, most of a step of prep, mean of prep in a period) in
     instructions."""
-    hold = HOLD_TICK if name.endswith(HELD) else 0
-    name = name.removesuffix(HELD)
+    hold = LONG_TICK if name.endswith(LONG) else HOLD_TICK if name.endswith(HELD) else 0
+    soft = SOFT if name.endswith(LONG) else ()
+    name = name.removesuffix(LONG).removesuffix(HELD)
     case = next(case for case in CASES if case.name == name.removesuffix(SMOOTHED))
     if name.endswith(SMOOTHED):
         case = replace(case, text=case.text.replace("G61", "G64 P0.01"))
-    machine = Machine.load(case.machine, set=(*case.set, f"path.slope={slope}"))
+    machine = Machine.load(case.machine, set=(*case.set, *soft, f"path.slope={slope}"))
     with tempfile.TemporaryDirectory() as folder:
         set_name = slope if slope == "optimal" else "default"
         result = targets.run_setpoints(core, set_name, case, machine, Path(folder), count=True,

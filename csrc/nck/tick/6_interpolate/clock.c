@@ -342,6 +342,7 @@ void nck_clock_go_on(nck_clock_t *self) {
     self->second.gain = 0.0;
     self->feels = 1;
     self->kept = 0;
+    self->share = 1;
     nck_fence_store(&self->state, NCK_CLOCK_SETS_OFF);
 }
 

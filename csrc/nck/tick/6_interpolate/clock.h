@@ -6,6 +6,7 @@
 #define NCK_TICK_CLOCK_H
 
 #include "nck/base/link.h"               // nck_link_t
+#include "nck/base/real.h"               // nck_num
 #include "nck/base/records.h"            // nck_seg_t nck_cell_t
 #include "nck/base/terms.h"              // nck_terms_t
 #include "nck/tick/6_interpolate/look.h" // nck_look_place_t
@@ -35,6 +36,7 @@ typedef struct nck_clock {
         double gain;          // setting off: d²φ/dt² [1/s]
     } second;
     float jump[NCK_AXIS_MAX]; // braking: by which dp/ds jumps at that corner
+    nck_num share;            // along a clocked path: of what k″ may be, what may last
     float j_end;              // … the jerk that takes the last acceleration away [path mm/s³]
 } nck_clock_t;
 

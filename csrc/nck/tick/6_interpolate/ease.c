@@ -9,6 +9,8 @@
 // it. A path with limits of its own is one more axis: what of all axes has its direction.
 #include "nck/tick/6_interpolate/ease.h"
 
+#include <stddef.h> // NULL
+
 #include "nck/base/fence.h"                 // nck_fence_store
 #include "nck/base/real.h"                  // nck_num
 #include "nck/tick/6_interpolate/stretch.h" // nck_stretch_…
@@ -34,10 +36,13 @@
 // … and of all that axes have in a period, so near 1 that it may run: the plan may take all of it.
 #define RUN_SHARE NCK_NUM_OF(0.003)
 
+// Of the range of k″, what is tried at least.
+#define SHARE_LEAST NCK_NUM_OF(0.25)
+
 // Numbers of the solvers' type are enough for how fast and how hard: the clock itself is kept in
 // double precision. Where a processor has no doubles in hardware they take a tenth of the time.
 enum {
-    TRIALS = 4,      // how hard k may change: even steps from easing off to all there is
+    TRIALS = 2,      // how hard k may change
     PLACES = 40,     // looked at ahead of the period: 340 periods. With 24 over 347 a starved run
                      // took 1.024 of an axis' jerk
     NEAR_PLACES = 8, // stretches grow by 1/8 from there on
@@ -55,6 +60,13 @@ typedef struct ease_pace {
 typedef struct ease_range {
     nck_num low, high;
 } ease_range_t;
+
+// What is known before of a period's k″.
+typedef struct ease_wish {
+    nck_num share; // of the range, that may last: the next period's then
+    nck_num free;  // what all axes allow without the plan [1/s²]
+    nck_num most;  // … of a brake with it [1/s²]
+} ease_wish_t;
 
 // How hard k may change in the period, and what comes of it.
 typedef enum ease_verdict { EASE_OPEN = 0, EASE_GOOD, EASE_BAD } ease_verdict_t;
@@ -166,26 +178,42 @@ static void try_stretch(ease_trial_t *trial, const nck_stretch_walk_t *walk,
     if (is_on_way(pace)) trial->verdict = EASE_OPEN;
 }
 
-// Whether each trial can ease off, behind the period; what is open at the end cannot. k: about that
-// behind the period.
-static void try_all(ease_trial_t *trials, nck_stretch_walk_t *walk, nck_stretch_t *on, nck_num k) {
+// Which trial is the first that is not known to be bad.
+static int first_of(const ease_trial_t *trials, int count) {
+    int i = 0;
+    while (i < count && trials[i].verdict == EASE_BAD) i++;
+    return i;
+}
+
+// Try to ease off along a stretch, from a trial on. Those behind one that can are asked nothing.
+// Returns how many are left.
+static int try_each(ease_trial_t *trials, int first, int count, const nck_stretch_walk_t *walk,
+                    const nck_stretch_t *on) {
+    for (int i = first; i < count && on->far > 0; i++) {
+        if (trials[i].verdict == EASE_OPEN) try_stretch(&trials[i], walk, on);
+        if (trials[i].verdict == EASE_GOOD) return i + 1;
+    }
+    return count;
+}
+
+// The first trial, from the hardest on, that can ease off behind the period; NULL: none. What is
+// open at the end cannot. k: about that behind the period.
+static const ease_trial_t *try_all(ease_trial_t *trials, int count, nck_stretch_walk_t *walk,
+                                   nck_stretch_t *on, nck_num k) {
     const nck_num least = k * walk->period;
     nck_num gone = 0;
-    int open = 1;
-    for (int n = 0; n < PLACES && open && !walk->ends; n++) {
+    int left = count;
+    int first = first_of(trials, left);
+    for (int n = 0; n < PLACES && first < left && !walk->ends; n++) {
+        if (trials[first].verdict == EASE_GOOD) return &trials[first];
         nck_stretch_take(walk, nck_num_max(least, gone / (nck_num)NEAR_PLACES), on);
-        if (!(on->far > 0)) continue;
         gone += on->far;
-        open = 0;
-        for (int i = 0; i < TRIALS; i++) {
-            if (trials[i].verdict != EASE_OPEN) continue;
-            try_stretch(&trials[i], walk, on);
-            open |= trials[i].verdict == EASE_OPEN;
-        }
+        left = try_each(trials, first, left, walk, on);
+        first = first_of(trials, left);
     }
-    for (int i = 0; i < TRIALS && walk->ends; i++) { // the plan rests there
-        if (trials[i].verdict == EASE_OPEN) trials[i].verdict = EASE_GOOD;
-    }
+    const int rests = walk->ends != 0; // the plan does
+    while (first < left && trials[first].verdict != EASE_GOOD && !rests) first++;
+    return first < left ? &trials[first] : NULL;
 }
 
 // The hardest k″ in a period that sets off: easing off behind it, k comes to 1 by two thirds of the
@@ -194,47 +222,61 @@ static nck_num change_to_run(const ease_pace_t *pace, nck_num period) {
     return (1 - pace->k - 2 * pace->dk * period) / (NCK_NUM_OF(1.5) * period * period);
 }
 
+// What k″ must be for k′ to be gone when k is 1.
+static nck_num change_by_run(const ease_pace_t *pace, nck_num period) {
+    const nck_num left = nck_num_max(1 - pace->k, NCK_NUM_OF(0.5) * pace->dk * period);
+    return -NCK_NUM_OF(0.5) * pace->dk * pace->dk / left;
+}
+
 // Where no k″ is known behind which k′ can be eased off, easing off at once among them, of a clock
 // that sets off: a plan has come that brakes, so that its axes allow less than was counted on. Once
 // it takes all that axes allow without the plan (most), k′ is led to be gone when k is 1: the plan
 // is never overtaken.
-static nck_num change_at_last(const ease_pace_t *pace, nck_num change, nck_num most,
-                              nck_num period) {
-    const nck_num left = nck_num_max(1 - pace->k, NCK_NUM_OF(0.5) * pace->dk * period);
-    const nck_num must = NCK_NUM_OF(0.5) * pace->dk * pace->dk / left;
-    const int is_last = pace->dk > 0 && must > most;
-    return is_last ? nck_num_min(change, -must) : change;
+static int is_last(const ease_pace_t *pace, nck_num most, nck_num period) {
+    return pace->way > 0 && pace->dk > 0 && -change_by_run(pace, period) > most;
 }
 
-// The hardest k″ in a period, within its range, behind which k′ can be eased off again; the least
-// there is: easing off.
-static nck_num choose(const ease_pace_t *pace, const ease_range_t *range, nck_num free,
-                     nck_stretch_walk_t *walk, nck_stretch_t *on) {
+static nck_num change_at_last(const ease_pace_t *pace, nck_num change, nck_num most,
+                              nck_num period) {
+    if (!is_last(pace, most, period)) return change;
+    return nck_num_min(change, change_by_run(pace, period));
+}
+
+static ease_trial_t trial_of(const ease_pace_t *pace, nck_num change, nck_num period) {
+    ease_trial_t trial = {change, *pace, EASE_GOOD};
+    trial.pace.dk = pace->dk + change * period;
+    trial.pace.k = pace->k + NCK_NUM_OF(0.5) * (pace->dk + trial.pace.dk) * period;
+    if (!(trial.pace.k > 0) || trial.pace.k > 1) trial.verdict = EASE_BAD;
+    else if (is_on_way(&trial.pace)) trial.verdict = EASE_OPEN;
+    return trial;
+}
+
+// The hardest k″ in a period, within its range, behind which k′ can be eased off again: of what
+// eases off and the share of the range that may have lasted before, a brake also half of it; else
+// what eases off. Whether that can be done is asked where something else may be.
+static nck_num choose(const ease_pace_t *pace, const ease_range_t *range, ease_wish_t *wish,
+                      nck_stretch_walk_t *walk, nck_stretch_t *on) {
     const nck_num period = walk->period;
     const nck_num gone = -pace->dk / period; // … k′ is then
     const nck_num least = gone < 0 ? nck_num_max(gone, range->low) : nck_num_min(gone, range->high);
     const nck_num most = nck_num_min(range->high, change_to_run(pace, period));
     const nck_num room = pace->way < 0 ? nck_num_min(0, range->low - least)
                                         : nck_num_max(0, most - least);
-    const nck_num gains = NCK_NUM_OF(0.5) * nck_num_max(0, room) * period;
+    const nck_num half = NCK_NUM_OF(0.5);
+    const nck_num gains = half * nck_num_max(0, room) * period;
     const nck_num k = pace->k + (pace->dk + gains) * period;
-    const int steps = pace->way < 0 ? TRIALS : TRIALS - 1; // setting off, the last is easing off
-    ease_trial_t trials[TRIALS];
-    for (int i = 0; i < TRIALS; i++) {
-        const nck_num share = (nck_num)(steps - i) / (nck_num)steps;
-        ease_trial_t *const trial = &trials[i];
-        trial->change = least + room * share;
-        trial->pace.way = pace->way;
-        trial->pace.dk = pace->dk + trial->change * period;
-        trial->pace.k = pace->k + NCK_NUM_OF(0.5) * (pace->dk + trial->pace.dk) * period;
-        trial->verdict = !(trial->pace.k > 0) || trial->pace.k > 1 ? EASE_BAD
-                         : is_on_way(&trial->pace) ? EASE_OPEN : EASE_GOOD;
-    }
-    try_all(trials, walk, on, nck_num_max(0, nck_num_min(k, 1)));
-    for (int i = 0; i < TRIALS; i++) {
-        if (trials[i].verdict == EASE_GOOD) return trials[i].change;
-    }
-    return change_at_last(pace, least, free, period);
+    const int brakes = pace->way < 0;
+    const nck_num softer = brakes ? half * wish->share : 0;
+    ease_trial_t trials[TRIALS] = {
+        trial_of(pace, least + room * wish->share, period),
+        trial_of(pace, least + room * softer, period),
+    };
+    const int count = brakes || is_last(pace, wish->free, period) ? TRIALS : 1;
+    const ease_trial_t *const found =
+        try_all(trials, count, walk, on, nck_num_max(0, nck_num_min(k, 1)));
+    if (found == &trials[0]) wish->share = nck_num_min(1, 2 * wish->share);
+    else if (!brakes || !found) wish->share = nck_num_max(SHARE_LEAST, half * wish->share);
+    return found ? found->change : change_at_last(pace, least, wish->free, period);
 }
 
 // What k″ may be where the plan itself asks for nothing.
@@ -293,9 +335,8 @@ static void bound_period(ease_range_t *range, nck_stretch_walk_t *walk, const ea
 }
 
 // k″ in the period that begins where the walk does. Where the plan comes to its rest in it, none:
-// that is its own. Never does k′ turn round. *most_out: what all axes allow, of a clock that sets
-// off without the plan.
-static nck_num change_for(const ease_pace_t *pace, nck_stretch_walk_t *walk, nck_num *most_out) {
+// that is its own. Never does k′ turn round.
+static nck_num change_for(const ease_pace_t *pace, nck_stretch_walk_t *walk, ease_wish_t *wish) {
     const nck_num period = walk->period;
     const nck_num half = NCK_NUM_OF(0.5);
     const nck_num k = nck_num_max(half * pace->k, pace->k + half * pace->dk * period);
@@ -303,25 +344,25 @@ static nck_num change_for(const ease_pace_t *pace, nck_stretch_walk_t *walk, nck
     ease_range_t range;
     nck_stretch_look(walk, &on.to);
     bound_period(&range, walk, pace, k * period, &on);
-    const nck_num free = free_change(walk, &on.to);
-    *most_out = pace->way < 0 ? range.high : free;
+    wish->free = free_change(walk, &on.to);
+    wish->most = pace->way < 0 ? range.high : wish->free;
     if (walk->ends) return 0;
-    if (range.low <= range.high) return choose(pace, &range, free, walk, &on);
+    if (range.low <= range.high) return choose(pace, &range, wish, walk, &on);
     const nck_num gone = -pace->dk / period;
     const nck_num middle = NCK_NUM_OF(0.5) * (range.low + range.high);
     const nck_num change = pace->way < 0 ? nck_num_min(middle, nck_num_max(0, gone))
                                           : nck_num_max(middle, nck_num_min(0, gone));
-    return change_at_last(pace, change, free, period);
+    return change_at_last(pace, change, wish->free, period);
 }
 
 // The same, where prep may publish another plan at any time: then that counts. It does so once in
 // many periods.
 static nck_num change_now(const ease_pace_t *pace, const nck_stretch_walk_t *here,
-                          nck_num *most_out) {
+                          ease_wish_t *wish) {
     for (int round = 0; round < 2; round++) {
         nck_stretch_walk_t walk = *here;
         walk.word = nck_link_word(walk.link);
-        const nck_num change = change_for(pace, &walk, most_out);
+        const nck_num change = change_for(pace, &walk, wish);
         if (nck_link_holds(walk.link, walk.word)) return change;
     }
     return 0;
@@ -332,6 +373,7 @@ void nck_ease_begin(nck_clock_t *clock) {
         clock->first.rate = 1.0;
         clock->second.gain = 0.0;
     }
+    clock->share = 1;
     nck_fence_store(&clock->state, NCK_CLOCK_BRAKES);
 }
 
@@ -356,16 +398,19 @@ double nck_ease_period(nck_clock_t *clock, const nck_terms_t *terms, nck_link_t 
     const double k = clock->first.rate;
     const double dk = clock->second.gain;
     const ease_pace_t pace = {(nck_num)k, (nck_num)dk, brakes ? -1 : 1};
-    const nck_stretch_walk_t here = {terms, link, 0, cell, 0, 0, (nck_num)t, (nck_num)period};
-    nck_num most = 0;
+    const nck_stretch_walk_t here = {.terms = terms, .link = link, .cell = cell, .t = (nck_num)t,
+                                     .period = (nck_num)period};
+    ease_wish_t wish = {clock->share, 0, 0};
     if (!brakes && clock->feels > 0) { // a rest may end with a jerk of its own
         clock->feels--;
         return 0.0;
     }
-    const double change = (double)change_now(&pace, &here, &most);
+    const double change = (double)change_now(&pace, &here, &wish);
+    clock->share = wish.share;
     clock->first.rate = k + (dk + 0.5 * change * period) * period;
     clock->second.gain = dk + change * period;
-    take_pace(clock, brakes, (double)((brakes ? REST_SHARE : RUN_SHARE) * most) * period, period);
+    const nck_num near = (brakes ? REST_SHARE : RUN_SHARE) * wish.most;
+    take_pace(clock, brakes, (double)near * period, period);
     if (!(clock->first.rate > 0.0)) return 0.5 * k * period;
     return (k + (0.5 * dk + change / 6.0 * period) * period) * period;
 }

@@ -17,7 +17,7 @@ void nck_ease_begin(nck_clock_t *clock);
 // One period of braking, or of setting off, from the time t in a cell on, behind which the link's
 // are: the clock's rate becomes that behind it, 0 where it rests, 1 where it runs from then on.
 // Returns how far the plan's time goes on [s].
-// Cost: 42 looks at a place, each with 4 bounds for every axis that moves and 4 trials, and the
+// Cost: 42 looks at a place, each with 4 bounds for every axis that moves and 2 trials, and the
 // cells on the way, twice if prep publishes meanwhile; instructions: docs/size.md. Context: tick.
 double nck_ease_period(nck_clock_t *clock, const nck_terms_t *terms, nck_link_t *link,
                        const nck_cell_t *cell, double t);

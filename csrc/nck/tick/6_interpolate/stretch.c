@@ -6,12 +6,19 @@
 
 #include "nck/base/path.h" // nck_path_ways nck_path_way_at
 
+static void know_seg(nck_stretch_seg_t *on, const nck_seg_t *seg, int axes) {
+    if (on->seg == seg) return;
+    on->seg = seg;
+    on->per = 1 / (nck_num)seg->length;
+    for (int x = 0; x < axes; x++) nck_path_ways(seg, x, on->ways[x]);
+}
+
 // Of a path that goes by time every seg is an interval of it.
-void nck_stretch_look(const nck_stretch_walk_t *walk, nck_stretch_point_t *out) {
+void nck_stretch_look(nck_stretch_walk_t *walk, nck_stretch_point_t *out) {
     const nck_cell_t *const cell = walk->cell;
-    const nck_seg_t *const seg = nck_link_seg(walk->link, cell->seg);
+    know_seg(&walk->on, nck_link_seg(walk->link, cell->seg), walk->terms->axes);
     const nck_num t = walk->t;
-    const nck_num per = 1 / (nck_num)seg->length;
+    const nck_num per = walk->on.per;
     const nck_num jerk = (nck_num)cell->j;
     const nck_num a = (nck_num)cell->a + jerk * t;
     const nck_num v = (nck_num)cell->v + (a - NCK_NUM_OF(0.5) * jerk * t) * t;
@@ -19,8 +26,7 @@ void nck_stretch_look(const nck_stretch_walk_t *walk, nck_stretch_point_t *out) 
     const nck_num f = nck_num_min(((nck_num)cell->s + nck_num_max(0, way)) * per, 1);
     const nck_num rate = nck_num_max(0, v) * per;
     for (int x = 0; x < walk->terms->axes; x++) {
-        nck_num ways[3];
-        nck_path_ways(seg, x, ways);
+        const nck_num *const ways = walk->on.ways[x];
         const nck_num dd0 = ways[1] - ways[0];
         const nck_num bend = dd0 + (ways[2] - ways[1] - dd0) * f;
         const nck_num tangent = 3 * nck_path_way_at(ways, f);

@@ -8,6 +8,13 @@
 #include "nck/base/records.h" // nck_cell_t
 #include "nck/base/terms.h"   // nck_terms_t
 
+// What is known of a seg: places of a walk share it.
+typedef struct nck_stretch_seg {
+    const nck_seg_t *seg;
+    nck_num per;                   // 1/L
+    nck_num ways[NCK_AXIS_MAX][3]; // nck_path_ways
+} nck_stretch_seg_t;
+
 // Along the plan that is known.
 typedef struct nck_stretch_walk {
     const nck_terms_t *terms;
@@ -18,6 +25,7 @@ typedef struct nck_stretch_walk {
     uint32_t ends;          // 1: at the plan's rest
     nck_num t;              // in the cell [s]
     nck_num period;         // [s]
+    nck_stretch_seg_t on;   // where it has looked last; its seg is NULL at first
 } nck_stretch_walk_t;
 
 // The derivatives of the plan by its time, at a place.
@@ -41,8 +49,9 @@ typedef struct nck_stretch {
     nck_stretch_ways_t of[NCK_AXIS_MAX + 1];
 } nck_stretch_t;
 
-// The derivatives where the walk is. Cost: linear in the axes. Context: tick.
-void nck_stretch_look(const nck_stretch_walk_t *walk, nck_stretch_point_t *out);
+// The derivatives where the walk is. Cost: linear in the axes; in another seg than the last look's,
+// where there are no doubles in hardware, as much again. Context: tick.
+void nck_stretch_look(nck_stretch_walk_t *walk, nck_stretch_point_t *out);
 
 // The next stretch, from the end of the last one on: so long by the plan's time [s], or to its
 // rest. Cost: a look, and the cells on the way. Context: tick.
