@@ -9,7 +9,7 @@
 // Global size: as many groups as tiles of local size · run nodes cover the path. The windows cap,
 // back and rise: room for a tile and OVERLAP_ROOM numbers each; an odd run keeps work-items off
 // each other's banks there. Every work-item reaches every barrier. Must equal nck_host_envelope to
-// the bit where every state is 0; where one is not, w is not to be used.
+// the bit where every state is 0; where one is not, vv is not to be used.
 #include "lanes_math.h" // nck_real REAL_MAX (of the float or the double folder)
 
 // The chains of the overlap run in local memory.
@@ -62,37 +62,37 @@ static void store(__local const nck_real *window, long count, __global nck_real 
     for (long k = get_local_id(0); k < count; k += get_local_size(0)) x[k] = window[k];
 }
 
-// Reads w_cap (n), h (n − 1); writes w_backward (n) and one state per group.
-__kernel void backward(__global const nck_real *w_cap, __global const nck_real *h, long n,
-                       nck_real w_end, int run, __global nck_real *w_backward,
+// Reads vv_cap (n), h (n − 1); writes vv_backward (n) and one state per group.
+__kernel void backward(__global const nck_real *vv_cap, __global const nck_real *h, long n,
+                       nck_real vv_end, int run, __global nck_real *vv_backward,
                        __global int *state_of, __local nck_real *cap, __local nck_real *rise) {
     __local int doubt;
     share_t share;
     take_share(n, run, &share);
     const long last = n - 1 - share.first; // the path's last node, counted from the tile's begin
-    const nck_real w_last = nck_min(w_cap[n - 1], w_end);
+    const nck_real vv_last = nck_min(vv_cap[n - 1], vv_end);
     if (get_local_id(0) == 0) doubt = 0;
-    int bad = load(w_cap + share.first, nearer(last + 1, share.tile + OVERLAP_ROOM), cap);
+    int bad = load(vv_cap + share.first, nearer(last + 1, share.tile + OVERLAP_ROOM), cap);
     bad |= load(h + share.first, nearer(last, share.tile + OVERLAP_ROOM), rise);
     barrier(CLK_LOCAL_MEM_FENCE);
     const long p = nearer(share.end, last);
-    nck_real w;
-    const int known = nck_chunk_behind(cap, rise, p, last, w_last, &w);
+    nck_real vv;
+    const int known = nck_chunk_behind(cap, rise, p, last, vv_last, &vv);
     if (bad || !known) atomic_or(&doubt, (known ? 0 : DOUBT_OVERLAP) | (bad ? DOUBT_NUMBER : 0));
     barrier(CLK_LOCAL_MEM_FENCE); // caps are overwritten from here on
-    if (share.begin <= last && last < share.end) cap[last] = w_last;
+    if (share.begin <= last && last < share.end) cap[last] = vv_last;
     for (long i = p; i-- > share.begin;) {
-        w = nck_envelope_backward(cap[i], w, rise[i]);
-        cap[i] = w;
+        vv = nck_envelope_backward(cap[i], vv, rise[i]);
+        cap[i] = vv;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
-    store(cap, share.count, w_backward + share.first);
+    store(cap, share.count, vv_backward + share.first);
     if (get_local_id(0) == 0) state_of[get_group_id(0)] = doubt;
 }
 
-// Reads w_backward (n), h (n − 1); writes w (n), which is not w_backward, and adds to the states.
-__kernel void forward(__global const nck_real *w_backward, __global const nck_real *h, long n,
-                      nck_real w_start, int run, __global nck_real *w, __global int *state_of,
+// Reads vv_backward (n), h (n − 1); writes vv (n), not vv_backward, and adds to the states.
+__kernel void forward(__global const nck_real *vv_backward, __global const nck_real *h, long n,
+                      nck_real vv_start, int run, __global nck_real *vv, __global int *state_of,
                       __local nck_real *back, __local nck_real *rise) {
     __local int doubt;
     share_t share;
@@ -100,22 +100,22 @@ __kernel void forward(__global const nck_real *w_backward, __global const nck_re
     const long before = nearer(share.first, OVERLAP_ROOM); // nodes of the window before the tile
     const long origin = share.first - before;              // the window's first node
     const long begin = before + share.begin;
-    const nck_real w_first = nck_min(w_backward[0], w_start);
+    const nck_real vv_first = nck_min(vv_backward[0], vv_start);
     if (get_local_id(0) == 0) doubt = 0;
-    load(w_backward + origin, before + share.count, back);
+    load(vv_backward + origin, before + share.count, back);
     load(h + origin, before + share.count - 1, rise);
     barrier(CLK_LOCAL_MEM_FENCE);
-    nck_real state = w_first;
-    if (begin > 0 && !nck_chunk_before(back, rise, -origin, begin - 1, w_first, &state)) {
+    nck_real state = vv_first;
+    if (begin > 0 && !nck_chunk_before(back, rise, -origin, begin - 1, vv_first, &state)) {
         atomic_or(&doubt, DOUBT_OVERLAP);
     }
     barrier(CLK_LOCAL_MEM_FENCE); // back is overwritten from here on
-    if (begin == 0) back[0] = w_first;
+    if (begin == 0) back[0] = vv_first;
     for (long i = begin > 0 ? begin : 1; i < before + share.end; i++) {
         state = nck_envelope_forward(back[i], state, rise[i - 1]);
         back[i] = state;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
-    store(back + before, share.count, w + share.first);
+    store(back + before, share.count, vv + share.first);
     if (get_local_id(0) == 0) state_of[get_group_id(0)] |= doubt;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The two passes of the envelope over one tile: lanes side by side, each a stretch of the path.
 //
-//   w_cap, h, w ──▶ │ lane 0      │ lane 1      │ …
+//   vv_cap, h, vv ──▶ │ lane 0      │ lane 1      │ …
 //                   ├─────────────┼─────────────┼──
 //                   first         first + length
 #ifndef OPENCL_TILE_MATH_H
@@ -30,61 +30,61 @@ static inline void tile_store(__global nck_real *x, lanes_t lanes) {
     *(__global lanes_packed_t *)x = lanes;
 }
 
-// Look at every number of a tile: 1 if one is no good. This also brings the tile into the cache, w
+// Look at every number of a tile: 1 if one is no good. This also brings the tile into the cache, vv
 // too: in order, which memory serves faster than the ends of many lanes in turn (measured: twice as
 // fast at 10⁷ nodes).
-static inline int tile_has_bad(__global const nck_real *w_cap, __global const nck_real *h,
-                               long length, __global nck_real *w) {
+static inline int tile_has_bad(__global const nck_real *vv_cap, __global const nck_real *h,
+                               long length, __global nck_real *vv) {
     lanes_bits_t doubt = 0;
     for (long i = 0; i < LANES * length; i += LANES) {
-        (void)*(volatile __global nck_real *)(w + i);
-        doubt |= lanes_doubt(lanes_bits(tile_load(w_cap + i)));
+        (void)*(volatile __global nck_real *)(vv + i);
+        doubt |= lanes_doubt(lanes_bits(tile_load(vv_cap + i)));
         doubt |= lanes_doubt(lanes_bits(tile_load(h + i)));
     }
     return lanes_any_sign(doubt);
 }
 
-// Backward over lanes of length nodes; w_next: w behind the end of every lane. The pointers stand
+// Backward over lanes of length nodes; vv_next: vv behind the end of every lane. The pointers stand
 // at the tile's first node.
-static inline void tile_backward(__global const nck_real *w_cap, __global const nck_real *h,
-                                 long length, lanes_t w_next, __global nck_real *w) {
+static inline void tile_backward(__global const nck_real *vv_cap, __global const nck_real *h,
+                                 long length, lanes_t vv_next, __global nck_real *vv) {
     for (long i = length - LANES; i >= 0; i -= LANES) {
         lanes_t cap[LANES];
         lanes_t rise[LANES];
         for (int lane = 0; lane < LANES; lane++) {
-            cap[lane] = tile_load(w_cap + lane * length + i);
+            cap[lane] = tile_load(vv_cap + lane * length + i);
             rise[lane] = tile_load(h + lane * length + i);
         }
         lanes_transpose(cap);
         lanes_transpose(rise);
         for (int k = LANES - 1; k >= 0; k--) {
-            w_next = lanes_envelope_backward(cap[k], w_next, rise[k]);
-            cap[k] = w_next;
+            vv_next = lanes_envelope_backward(cap[k], vv_next, rise[k]);
+            cap[k] = vv_next;
         }
         lanes_transpose(cap);
-        for (int lane = 0; lane < LANES; lane++) tile_store(w + lane * length + i, cap[lane]);
+        for (int lane = 0; lane < LANES; lane++) tile_store(vv + lane * length + i, cap[lane]);
     }
 }
 
-// Forward over lanes of length nodes, in place; w_before: the final w at the node before every
+// Forward over lanes of length nodes, in place; vv_before: the final vv at the node before every
 // lane. h stands at the piece before the tile's first node.
-static inline void tile_forward(__global const nck_real *h, long length, lanes_t w_before,
-                                __global nck_real *w) {
+static inline void tile_forward(__global const nck_real *h, long length, lanes_t vv_before,
+                                __global nck_real *vv) {
     for (long i = 0; i < length; i += LANES) {
         lanes_t back[LANES];
         lanes_t rise[LANES];
         for (int lane = 0; lane < LANES; lane++) {
-            back[lane] = tile_load(w + lane * length + i);
+            back[lane] = tile_load(vv + lane * length + i);
             rise[lane] = tile_load(h + lane * length + i);
         }
         lanes_transpose(back);
         lanes_transpose(rise);
         for (int k = 0; k < LANES; k++) {
-            w_before = lanes_envelope_forward(back[k], w_before, rise[k]);
-            back[k] = w_before;
+            vv_before = lanes_envelope_forward(back[k], vv_before, rise[k]);
+            back[k] = vv_before;
         }
         lanes_transpose(back);
-        for (int lane = 0; lane < LANES; lane++) tile_store(w + lane * length + i, back[lane]);
+        for (int lane = 0; lane < LANES; lane++) tile_store(vv + lane * length + i, back[lane]);
     }
 }
 

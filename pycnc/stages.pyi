@@ -17,27 +17,27 @@ class Profile:
     ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]: ...
 
 class Keinert:
-    w: NDArray[np.float64]
+    vv: NDArray[np.float64]
 
 def decode(text: bytes, machine: Machine) -> tuple[NDArray[np.void], NDArray[np.void]]: ...
 def envelope(
-    w_cap: ArrayLike,
+    vv_cap: ArrayLike,
     h: ArrayLike,
     *,
-    w_start: float = 0.0,
-    w_end: float = 0.0,
+    vv_start: float = 0.0,
+    vv_end: float = 0.0,
     backend: Literal["auto", "c", "simd", "threads", "opencl"] = "auto",
     threads: int | None = None,
     processor: str | None = None,
     out: NDArray[np.floating] | None = None,
 ) -> NDArray[np.floating]: ...
 def keinert(
-    w_cap: ArrayLike,
+    vv_cap: ArrayLike,
     h: ArrayLike,
-    w_feed: ArrayLike,
+    vv_feed: ArrayLike,
     *,
-    w_start: float = 0.0,
-    w_end: float = 0.0,
+    vv_start: float = 0.0,
+    vv_end: float = 0.0,
     length: int = 300,
     overlap: tuple[int, int] = (5, 50),
     threads: int | None = None,

@@ -42,8 +42,8 @@ FAULTS = {
                     "2.0 * nck_spline_moment(t)"),
     "lookahead": Fault("csrc/nck/prep/4_lookahead/limit_math.h",
                        "{ return x_lim / nck_fabs(c); }", "{ return 1.1 * x_lim / nck_fabs(c); }"),
-    "slope": Fault("csrc/nck/prep/5_slope/ramp_math.h", "    return (w1 - w0) / (2.0 * length);",
-                   "    return (w1 - w0) / (1.9 * length);"),
+    "slope": Fault("csrc/nck/prep/5_slope/ramp_math.h", "    return (vv1 - vv0) / (2.0 * length);",
+                   "    return (vv1 - vv0) / (1.9 * length);"),
     "tick": Fault("csrc/nck/tick/7_transform/transform.c", "    if (rest > 0.5) return n + 1;",
                   "    if (rest > 0.5) return n;"),
     "kernel": Fault("csrc/nck/nck.c", "    if (nck_link_owner(&nck->link) == NCK_LINK_PREP) "

@@ -5,7 +5,7 @@
 //   ─────┼─────────────┼──────────────────────▶ nodes
 //        p     overlap k
 //
-// The true w at node k lies between 0 and the cap. Rounded + and min are monotone, so the true w at
+// The true v² at node k lies between 0 and the cap. Rounded + and min are monotone, so the one at
 // p lies between what the two chains bring there; where they meet it is known to the bit. (The
 // argument is Keinert et al. 2014, section 4, for their look-ahead buffers; the proof is derived in
 // docs/parallel.md.) A chain that reaches the path's end needs no guess.
@@ -38,107 +38,108 @@ static inline nck_int64 nck_chunk_lane(nck_int64 n, nck_int64 lanes, nck_int64 l
     return (lines % 2 == 0 && lines > 0 ? lines - 1 : lines) * line;
 }
 
-// w at node p, backward from node last where w is w_last:   (algorithms of envelope_math.h)
-static inline nck_real nck_chunk_backward(NCK_IN nck_real *w_cap, NCK_IN nck_real *h, nck_int64 p,
-                                          nck_int64 last, nck_real w_last) {
-    nck_real w = w_last;
-    for (nck_int64 i = last; i-- > p;) w = nck_envelope_backward(w_cap[i], w, h[i]);
-    return w;
+// v² at node p, backward from node last where it is vv_last:   (algorithms of envelope_math.h)
+static inline nck_real nck_chunk_backward(NCK_IN nck_real *vv_cap, NCK_IN nck_real *h, nck_int64 p,
+                                          nck_int64 last, nck_real vv_last) {
+    nck_real vv = vv_last;
+    for (nck_int64 i = last; i-- > p;) vv = nck_envelope_backward(vv_cap[i], vv, h[i]);
+    return vv;
 }
 
-// w at node p, forward from node first where w is w_first. w_backward[i] is what the backward pass
-// left at node i.
-static inline nck_real nck_chunk_forward(NCK_IN nck_real *w_backward, NCK_IN nck_real *h,
-                                         nck_int64 first, nck_int64 p, nck_real w_first) {
-    nck_real w = w_first;
-    for (nck_int64 i = first; i < p; i++) w = nck_envelope_forward(w_backward[i + 1], w, h[i]);
-    return w;
+// v² at node p, forward from node first where it is vv_first. vv_backward[i]: what the backward
+// pass left at node i.
+static inline nck_real nck_chunk_forward(NCK_IN nck_real *vv_backward, NCK_IN nck_real *h,
+                                         nck_int64 first, nck_int64 p, nck_real vv_first) {
+    nck_real vv = vv_first;
+    for (nck_int64 i = first; i < p; i++) vv = nck_envelope_forward(vv_backward[i + 1], vv, h[i]);
+    return vv;
 }
 
-// Two chains at once from node k = p + overlap; 1 if they meet at p, with w there in *w_out.
-static inline int nck_chunk_meets_backward(NCK_IN nck_real *w_cap, NCK_IN nck_real *h, nck_int64 p,
-                                           nck_int64 overlap, nck_real *w_out) {
+// Two chains at once from node k = p + overlap; 1 if they meet at p, with v² there in *vv_out.
+static inline int nck_chunk_meets_backward(NCK_IN nck_real *vv_cap, NCK_IN nck_real *h, nck_int64 p,
+                                           nck_int64 overlap, nck_real *vv_out) {
     nck_real low = 0;
-    nck_real high = w_cap[p + overlap];
+    nck_real high = vv_cap[p + overlap];
     for (nck_int64 i = p + overlap; i-- > p;) {
-        low = nck_envelope_backward(w_cap[i], low, h[i]);
-        high = nck_envelope_backward(w_cap[i], high, h[i]);
+        low = nck_envelope_backward(vv_cap[i], low, h[i]);
+        high = nck_envelope_backward(vv_cap[i], high, h[i]);
     }
-    *w_out = low;
+    *vv_out = low;
     return low == high;
 }
 
-// Two chains at once from node k = p - overlap; 1 if they meet at p, with w there in *w_out.
-static inline int nck_chunk_meets_forward(NCK_IN nck_real *w_backward, NCK_IN nck_real *h,
-                                          nck_int64 p, nck_int64 overlap, nck_real *w_out) {
+// Two chains at once from node k = p - overlap; 1 if they meet at p, with v² there in *vv_out.
+static inline int nck_chunk_meets_forward(NCK_IN nck_real *vv_backward, NCK_IN nck_real *h,
+                                          nck_int64 p, nck_int64 overlap, nck_real *vv_out) {
     nck_real low = 0;
-    nck_real high = w_backward[p - overlap];
+    nck_real high = vv_backward[p - overlap];
     for (nck_int64 i = p - overlap; i < p; i++) {
-        low = nck_envelope_forward(w_backward[i + 1], low, h[i]);
-        high = nck_envelope_forward(w_backward[i + 1], high, h[i]);
+        low = nck_envelope_forward(vv_backward[i + 1], low, h[i]);
+        high = nck_envelope_forward(vv_backward[i + 1], high, h[i]);
     }
-    *w_out = low;
+    *vv_out = low;
     return low == high;
 }
 
-// The backward w at node p of a path that ends at node last with w_last, in *w_out. 1 if it is
+// The backward v² at node p of a path that ends at node last with vv_last, in *vv_out. 1 if it is
 // known, 0 if the longest overlap left doubt.
-static inline int nck_chunk_behind(NCK_IN nck_real *w_cap, NCK_IN nck_real *h, nck_int64 p,
-                                   nck_int64 last, nck_real w_last, nck_real *w_out) {
+static inline int nck_chunk_behind(NCK_IN nck_real *vv_cap, NCK_IN nck_real *h, nck_int64 p,
+                                   nck_int64 last, nck_real vv_last, nck_real *vv_out) {
     for (nck_int64 far = NCK_CHUNK_OVERLAP_MIN; far <= NCK_CHUNK_OVERLAP_MAX; far *= 2) {
         if (p + far >= last) {
-            *w_out = nck_chunk_backward(w_cap, h, p, last, w_last);
+            *vv_out = nck_chunk_backward(vv_cap, h, p, last, vv_last);
             return 1;
         }
-        if (nck_chunk_meets_backward(w_cap, h, p, far, w_out)) return 1;
+        if (nck_chunk_meets_backward(vv_cap, h, p, far, vv_out)) return 1;
     }
     return 0;
 }
 
-// The final w at node p, in *w_out: w_backward is known from node first on, where the final w is
-// w_first. 1 if it is known, 0 if the longest overlap left doubt.
-static inline int nck_chunk_before(NCK_IN nck_real *w_backward, NCK_IN nck_real *h, nck_int64 first,
-                                   nck_int64 p, nck_real w_first, nck_real *w_out) {
+// The final v² at node p, in *vv_out: vv_backward is known from node first on, where that is
+// vv_first. 1 if it is known, 0 if the longest overlap left doubt.
+static inline int nck_chunk_before(NCK_IN nck_real *vv_backward, NCK_IN nck_real *h,
+                                   nck_int64 first, nck_int64 p, nck_real vv_first,
+                                   nck_real *vv_out) {
     for (nck_int64 far = NCK_CHUNK_OVERLAP_MIN; far <= NCK_CHUNK_OVERLAP_MAX; far *= 2) {
         if (p - far <= first) {
-            *w_out = nck_chunk_forward(w_backward, h, first, p, w_first);
+            *vv_out = nck_chunk_forward(vv_backward, h, first, p, vv_first);
             return 1;
         }
-        if (nck_chunk_meets_forward(w_backward, h, p, far, w_out)) return 1;
+        if (nck_chunk_meets_forward(vv_backward, h, p, far, vv_out)) return 1;
     }
     return 0;
 }
 
-// The final w at node p, the last before a part, of a path that starts at node 0 with w_start at
-// most. *w: in, the backward w at node p + 1; out, the final w at p. scratch: room for
+// The final v² at node p, the last before a part, of a path that starts at node 0 with vv_start at
+// most. *vv: in, the backward v² at node p + 1; out, the final v² at p. scratch: room for
 // NCK_CHUNK_OVERLAP_MAX + 1 numbers. 1 if it is known, 0 if the longest overlap left doubt.
-static inline int nck_chunk_enter(NCK_IN nck_real *w_cap, NCK_IN nck_real *h, nck_int64 p,
-                                  nck_real w_start, NCK_OUT nck_real *scratch, nck_real *w) {
-    const nck_real behind = *w;
+static inline int nck_chunk_enter(NCK_IN nck_real *vv_cap, NCK_IN nck_real *h, nck_int64 p,
+                                  nck_real vv_start, NCK_OUT nck_real *scratch, nck_real *vv) {
+    const nck_real behind = *vv;
     for (nck_int64 far = NCK_CHUNK_OVERLAP_MIN; far <= NCK_CHUNK_OVERLAP_MAX; far *= 2) {
         const nck_int64 length = far < p ? far : p;
         NCK_IN nck_real *const h_part = h + (p - length);
-        nck_real w_next = behind;
+        nck_real vv_next = behind;
         for (nck_int64 i = length + 1; i-- > 0;) {
-            w_next = nck_envelope_backward(w_cap[p - length + i], w_next, h_part[i]);
-            scratch[i] = w_next;
+            vv_next = nck_envelope_backward(vv_cap[p - length + i], vv_next, h_part[i]);
+            scratch[i] = vv_next;
         }
         if (length == p) {
-            *w = nck_chunk_forward(scratch, h, 0, p, nck_min(w_next, w_start));
+            *vv = nck_chunk_forward(scratch, h, 0, p, nck_min(vv_next, vv_start));
             return 1;
         }
-        if (nck_chunk_meets_forward(scratch, h_part, length, length, w)) return 1;
+        if (nck_chunk_meets_forward(scratch, h_part, length, length, vv)) return 1;
     }
     return 0;
 }
 
 // The whole path by the plain recurrence: n >= 1 nodes, n - 1 pieces.
-static inline void nck_chunk_whole(NCK_IN nck_real *w_cap, NCK_IN nck_real *h, nck_int64 n,
-                                   nck_real w_start, nck_real w_end, NCK_OUT nck_real *w) {
-    w[n - 1] = nck_min(w_cap[n - 1], w_end);
-    for (nck_int64 i = n - 1; i-- > 0;) w[i] = nck_envelope_backward(w_cap[i], w[i + 1], h[i]);
-    w[0] = nck_min(w[0], w_start);
-    for (nck_int64 i = 0; i < n - 1; i++) w[i + 1] = nck_envelope_forward(w[i + 1], w[i], h[i]);
+static inline void nck_chunk_whole(NCK_IN nck_real *vv_cap, NCK_IN nck_real *h, nck_int64 n,
+                                   nck_real vv_start, nck_real vv_end, NCK_OUT nck_real *vv) {
+    vv[n - 1] = nck_min(vv_cap[n - 1], vv_end);
+    for (nck_int64 i = n - 1; i-- > 0;) vv[i] = nck_envelope_backward(vv_cap[i], vv[i + 1], h[i]);
+    vv[0] = nck_min(vv[0], vv_start);
+    for (nck_int64 i = 0; i < n - 1; i++) vv[i + 1] = nck_envelope_forward(vv[i + 1], vv[i], h[i]);
 }
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long a program takes on another control: its own planner's rules, in passes over w = v².
+// How long a program takes on another control: its own planner's rules, in passes over v².
 //
 //     blocks ─▶ lines of the control ─▶ caps at corners ─▶ look-ahead ─▶ trapezoids ─▶ sums, causes
 //               chords, whole steps                        ring or all
@@ -162,7 +162,7 @@ typedef struct nck_host_control {
     size_t line_max, line_begin, line_end;
     double place[NCK_AXIS_MAX];  // where the last line ended, whole steps [mm]
     double target[NCK_AXIS_MAX]; // where the program is [mm]
-    double w;                  // at the start of the first line that waits, v²
+    double vv;                 // at the start of the first line that waits, v²
     uint32_t at_rest;          // 1: that line begins at a rest
     nck_host_control_line_t last; // the last line that came
     uint32_t has_last;         // 1: no rest since

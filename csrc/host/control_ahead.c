@@ -16,7 +16,7 @@
 
 static size_t waiting(const nck_host_control_t *self) { return self->line_end - self->line_begin; }
 
-static double w_end_of(const nck_host_control_t *self) {
+static double vv_end_of(const nck_host_control_t *self) {
     return self->rule.kind == NCK_HOST_CONTROL_MARLIN ? END_MARLIN : 0.0;
 }
 
@@ -38,21 +38,21 @@ static void give_first(nck_host_control_t *self, int is_end) {
     const nck_host_control_line_t *const next = first + 1;
     const size_t count = waiting(self);
     const double v = first[count - 1].v;
-    double w = nck_min(w_end_of(self), v * v);
+    double vv = nck_min(vv_end_of(self), v * v);
     int sees_end = 1;
     for (size_t k = count - 1; k > 0; k--) {
         const nck_host_control_line_t *const line = &first[k];
-        w += line->gain;
-        sees_end = sees_end && w < line->cap;
-        w = nck_min(w, line->cap);
+        vv += line->gain;
+        sees_end = sees_end && vv < line->cap;
+        vv = nck_min(vv, line->cap);
     }
-    if (self->at_rest) self->w = nck_min(first->cap, w + first->gain);
+    if (self->at_rest) self->vv = nck_min(first->cap, vv + first->gain);
     self->at_rest = 0;
-    w = nck_min(w, self->w + first->gain);
-    nck_control_spend(self, first, w);
+    vv = nck_min(vv, self->vv + first->gain);
+    nck_control_spend(self, first, vv);
     self->line_begin++;
     if (count == 1) return;
-    if (w >= next->cap * (1.0 - SAME)) tell_low(self, next, next->limit_cap);
+    if (vv >= next->cap * (1.0 - SAME)) tell_low(self, next, next->limit_cap);
     else if (sees_end && !is_end) tell_low(self, next, NCK_LIMIT_LOOKAHEAD);
 }
 
@@ -120,10 +120,10 @@ static void give_klipper(nck_host_control_t *self, int is_end) {
         const nck_host_control_line_t *const line = &self->lines[k];
         const nck_host_control_line_t *const next = line + 1;
         const int more = k + 1 < end;
-        self->w = line->start;
-        const double w = more ? nck_min(next->start, line->cruise) : 0.0;
-        nck_control_spend(self, line, w);
-        if (more && w >= next->cap * (1.0 - SAME)) tell_low(self, next, next->limit_cap);
+        self->vv = line->start;
+        const double vv = more ? nck_min(next->start, line->cruise) : 0.0;
+        nck_control_spend(self, line, vv);
+        if (more && vv >= next->cap * (1.0 - SAME)) tell_low(self, next, next->limit_cap);
     }
     self->line_begin = last;
 }
@@ -165,7 +165,7 @@ void nck_control_rest(nck_host_control_t *self, uint32_t limit, uint32_t line) {
     low.line = line;
     low.axis = NCK_AXIS_MAX;
     nck_control_low(self, &low);
-    self->w = 0.0;
+    self->vv = 0.0;
     self->at_rest = 1;
     self->has_last = 0;
     self->queued = 0;

@@ -41,8 +41,9 @@ void nck_control_rest(nck_host_control_t *self, uint32_t limit, uint32_t line);
 // A junction or a rest where the path is slow. Cost: constant.
 void nck_control_low(nck_host_control_t *self, const nck_host_low_t *low);
 
-// A line is final: it ends at w_end, v². Cost: constant.
-void nck_control_spend(nck_host_control_t *self, const nck_host_control_line_t *line, double w_end);
+// A line is final: it ends at vv_end, v². Cost: constant.
+void nck_control_spend(nck_host_control_t *self, const nck_host_control_line_t *line,
+                       double vv_end);
 
 // How a line's time is made up.
 typedef struct nck_control_times {
@@ -58,10 +59,10 @@ nck_control_times_t nck_control_step(const nck_host_control_line_t *line, const 
 // Rows from their start again. Cost: constant.
 void nck_control_trace_again(nck_host_control_t *self);
 
-// A line of such times is final: it begins at v² = w[0], ends at w[1], and top holds its top speed.
+// A line of such times is final: it begins at v² = vv[0], ends at vv[1]; top holds its top speed.
 // Stretches are asked for. Cost: linear in the chords of its bend.
 void nck_control_trace_line(nck_host_control_t *self, const nck_host_control_line_t *line,
-                            const nck_control_times_t *times, const double w[2], uint32_t top);
+                            const nck_control_times_t *times, const double vv[2], uint32_t top);
 
 // Time at rest; stretches are asked for. Cost: constant.
 void nck_control_trace_rest(nck_host_control_t *self, uint32_t line, double time_s);

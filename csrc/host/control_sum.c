@@ -53,23 +53,23 @@ static void ramp_up(nck_host_control_t *self, double lost_s, double time_s) {
     add_time(self, self->low.limit, time_s);
 }
 
-static nck_control_times_t trapezoid(const nck_host_control_line_t *line, const double w[2],
+static nck_control_times_t trapezoid(const nck_host_control_line_t *line, const double vv[2],
                                      double most) {
     nck_control_times_t t;
     const double a = line->a;
-    const double w_top = nck_control_top(line->length, a, w, most);
-    t.v_top = nck_sqrt(w_top);
-    t.up_s = (t.v_top - nck_sqrt(w[0])) / a;
-    t.down_s = (t.v_top - nck_sqrt(w[1])) / a;
-    t.up_mm = (w_top - w[0]) / (2.0 * a);
-    t.down_mm = (w_top - w[1]) / (2.0 * a);
+    const double vv_top = nck_control_top(line->length, a, vv, most);
+    t.v_top = nck_sqrt(vv_top);
+    t.up_s = (t.v_top - nck_sqrt(vv[0])) / a;
+    t.down_s = (t.v_top - nck_sqrt(vv[1])) / a;
+    t.up_mm = (vv_top - vv[0]) / (2.0 * a);
+    t.down_mm = (vv_top - vv[1]) / (2.0 * a);
     t.top_s = nck_max(0.0, line->length - t.up_mm - t.down_mm) / t.v_top;
     return t;
 }
 
 static nck_control_times_t times_of(const nck_host_control_t *self,
-                                    const nck_host_control_line_t *line, double w_end) {
-    const double ends[2] = {self->w, w_end};
+                                    const nck_host_control_line_t *line, double vv_end) {
+    const double ends[2] = {self->vv, vv_end};
     const int is_klipper = self->rule.kind == NCK_HOST_CONTROL_KLIPPER;
     if (self->rule.kind == NCK_HOST_CONTROL_MARLIN && line->steps > 0.0) {
         return nck_control_step(line, ends);
@@ -78,8 +78,8 @@ static nck_control_times_t times_of(const nck_host_control_t *self,
 }
 
 void nck_control_spend(nck_host_control_t *self, const nck_host_control_line_t *line,
-                       double w_end) {
-    const nck_control_times_t t = times_of(self, line, w_end);
+                       double vv_end) {
+    const nck_control_times_t t = times_of(self, line, vv_end);
     const double time_s = t.up_s + t.top_s + t.down_s;
     const double ideal_s = line->length / line->v_wanted;
     const double top_mm = nck_max(0.0, line->length - t.up_mm - t.down_mm);
@@ -90,7 +90,7 @@ void nck_control_spend(nck_host_control_t *self, const nck_host_control_line_t *
     lose_here(self, line, NCK_LIMIT_ACCEL, t.top_s - top_mm / line->v);
     add_time(self, top, t.top_s);
     if (self->trace.stretches) {
-        const double ends[2] = {self->w, w_end};
+        const double ends[2] = {self->vv, vv_end};
         nck_control_trace_line(self, line, &t, ends, top);
     }
     self->fall.lost_s += t.down_s - t.down_mm / line->v;
@@ -107,7 +107,7 @@ void nck_control_spend(nck_host_control_t *self, const nck_host_control_line_t *
     totals->segs++;
     totals->nodes++;
     totals->cells += (uint64_t)((t.up_s > 0.0) + (t.top_s > 0.0) + (t.down_s > 0.0));
-    self->w = w_end;
+    self->vv = vv_end;
 }
 
 void nck_control_dwell(nck_host_control_t *self, uint32_t line, double dwell_s) {

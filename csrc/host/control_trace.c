@@ -154,14 +154,14 @@ static void give_phase(nck_host_control_t *self, const nck_host_control_line_t *
                        nck_host_control_stretch_t *stretch, const phase_t *phase,
                        const double begin_at[NCK_AXIS_MAX]) {
     const double count = chords_of(line, phase->to - phase->from);
-    const double w = phase->v_begin * phase->v_begin;
-    const double more = phase->v_end * phase->v_end - w;
+    const double vv = phase->v_begin * phase->v_begin;
+    const double more = phase->v_end * phase->v_end - vv;
     const double sum = phase->v_begin + phase->v_end;
     double place[NCK_AXIS_MAX];
     double t = 0.0;
     for (double k = 1.0; k < count; k += 1.0) {
         const double s = k / count;
-        const double v = nck_sqrt(w + more * s);
+        const double v = nck_sqrt(vv + more * s);
         const double t_next = phase->time_s * (s * sum / (phase->v_begin + v));
         const double share = phase->from + s * (phase->to - phase->from);
         place_on(line, begin_at, share, place);
@@ -175,11 +175,11 @@ static void give_phase(nck_host_control_t *self, const nck_host_control_line_t *
 }
 
 void nck_control_trace_line(nck_host_control_t *self, const nck_host_control_line_t *line,
-                            const nck_control_times_t *times, const double w[2], uint32_t top) {
+                            const nck_control_times_t *times, const double vv[2], uint32_t top) {
     const double top_mm = nck_max(0.0, line->length - times->up_mm - times->down_mm);
     const double all_mm = times->up_mm + top_mm + times->down_mm;
-    const double begin_v = nck_sqrt(w[0]);
-    const double end_v = nck_sqrt(w[1]);
+    const double begin_v = nck_sqrt(vv[0]);
+    const double end_v = nck_sqrt(vv[1]);
     const double up = times->up_mm / all_mm;
     const double down = 1.0 - times->down_mm / all_mm;
     const double s = self->trace.s;

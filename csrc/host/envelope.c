@@ -33,7 +33,8 @@ static int is_possible(const nck_host_choice_t *choice, const envelope_job_t *jo
     if (choice->backend != NCK_HOST_THREADS) {
         return choice->backend == NCK_HOST_SERIAL || choice->backend == NCK_HOST_SIMD;
     }
-    return choice->threads >= 1 && choice->threads <= NCK_HOST_THREADS_MAX && job->w != job->w_cap;
+    return choice->threads >= 1 && choice->threads <= NCK_HOST_THREADS_MAX
+           && job->vv != job->vv_cap;
 }
 
 static int run(const envelope_variant_t *variant, int32_t backend, const envelope_job_t *job,
@@ -43,13 +44,13 @@ static int run(const envelope_variant_t *variant, int32_t backend, const envelop
     return variant->threads(job, count);
 }
 
-static int is_good(double w) { return w >= 0 && w - w == 0; }
+static int is_good(double vv) { return vv >= 0 && vv - vv == 0; }
 
 // The first index with a bad number, among the ends too; n if there is none.
 static size_t first_bad(const envelope_variant_t *variant, const envelope_job_t *job) {
-    if (!is_good(job->w_start)) return 0;
+    if (!is_good(job->vv_start)) return 0;
     const size_t bad = variant->first_bad(job);
-    return bad == job->n && !is_good(job->w_end) ? job->n - 1 : bad;
+    return bad == job->n && !is_good(job->vv_end) ? job->n - 1 : bad;
 }
 
 static nck_status_t plan(const envelope_variant_t *const *variants, size_t size,
@@ -59,10 +60,10 @@ static nck_status_t plan(const envelope_variant_t *const *variants, size_t size,
     *report = (nck_host_envelope_report_t){.bad = job->n};
     if (job->n == 0 || !is_possible(choice, job)) return NCK_E_ARGUMENT;
     const envelope_variant_t *variant = variants[choice->cpu];
-    if (!is_good(job->w_start) || !is_good(job->w_end) ||
+    if (!is_good(job->vv_start) || !is_good(job->vv_end) ||
         !run(variant, choice->backend, job, &count)) {
         report->bad = first_bad(variant, job);
-        memset(job->w, 0, job->n * size);
+        memset(job->vv, 0, job->n * size);
         return NCK_E_ARGUMENT;
     }
     report->blocks = count.blocks;
@@ -73,32 +74,32 @@ static nck_status_t plan(const envelope_variant_t *const *variants, size_t size,
 }
 
 static envelope_job_t job_in_double(const nck_host_problem_double_t *of) {
-    return (envelope_job_t){.w_cap = of->w_cap, .h = of->h, .n = of->n,
-                            .w_start = of->w_start, .w_end = of->w_end};
+    return (envelope_job_t){.vv_cap = of->vv_cap, .h = of->h, .n = of->n,
+                            .vv_start = of->vv_start, .vv_end = of->vv_end};
 }
 
 static envelope_job_t job_in_float(const nck_host_problem_float_t *of) {
-    return (envelope_job_t){.w_cap = of->w_cap, .h = of->h, .n = of->n,
-                            .w_start = (double)(float)of->w_start,
-                            .w_end = (double)(float)of->w_end};
+    return (envelope_job_t){.vv_cap = of->vv_cap, .h = of->h, .n = of->n,
+                            .vv_start = (double)(float)of->vv_start,
+                            .vv_end = (double)(float)of->vv_end};
 }
 
 nck_status_t nck_host_envelope_double(const nck_host_choice_t *choice,
-                                      const nck_host_problem_double_t *problem, double *w_out,
+                                      const nck_host_problem_double_t *problem, double *vv_out,
                                       nck_host_envelope_report_t *report_out) {
     envelope_job_t job = job_in_double(problem);
-    job.w = w_out;
+    job.vv = vv_out;
     job.threads = choice->threads;
-    return plan(of_double, sizeof *w_out, choice, &job, report_out);
+    return plan(of_double, sizeof *vv_out, choice, &job, report_out);
 }
 
 nck_status_t nck_host_envelope_float(const nck_host_choice_t *choice,
-                                     const nck_host_problem_float_t *problem, float *w_out,
+                                     const nck_host_problem_float_t *problem, float *vv_out,
                                      nck_host_envelope_report_t *report_out) {
     envelope_job_t job = job_in_float(problem);
-    job.w = w_out;
+    job.vv = vv_out;
     job.threads = choice->threads;
-    return plan(of_float, sizeof *w_out, choice, &job, report_out);
+    return plan(of_float, sizeof *vv_out, choice, &job, report_out);
 }
 
 size_t nck_host_envelope_bad_double(const nck_host_problem_double_t *problem) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The exact two-pass envelope of a whole path in w = v², in float and double, by several roads that
+// The exact two-pass envelope of a whole path in v², in float and double, by several roads that
 // give the same bits. What it computes: prep/4_lookahead/README.md; how: docs/parallel.md.
 #ifndef NCK_HOST_ENVELOPE_H
 #define NCK_HOST_ENVELOPE_H
@@ -35,18 +35,18 @@ typedef struct nck_host_choice {
 
 // What an envelope is found for, in double: all numbers finite and not negative.
 typedef struct nck_host_problem_double {
-    const double *w_cap;   // n nodes: cap of v² [mm²/s²]
-    const double *h;       // n − 1 pieces: 2·a·length [mm²/s²]
-    size_t n;              // nodes, at least 1
-    double w_start, w_end; // v² at the first and at the last node, at most [mm²/s²]
+    const double *vv_cap;    // n nodes: cap of v² [mm²/s²]
+    const double *h;         // n − 1 pieces: 2·a·length [mm²/s²]
+    size_t n;                // nodes, at least 1
+    double vv_start, vv_end; // v² at the first and at the last node, at most [mm²/s²]
 } nck_host_problem_double_t;
 
-// As nck_host_problem_double_t, in float; w_start and w_end are rounded to float first.
+// As nck_host_problem_double_t, in float; vv_start and vv_end are rounded to float first.
 typedef struct nck_host_problem_float {
-    const float *w_cap;
+    const float *vv_cap;
     const float *h;
     size_t n;
-    double w_start, w_end;
+    double vv_start, vv_end;
 } nck_host_problem_float_t;
 
 // What happened.
@@ -63,21 +63,21 @@ typedef struct nck_host_envelope_report {
 nck_host_cpu_t nck_host_cpu(void);
 
 // The exact two-pass envelope of a whole path in double.
-// choice: the road to take. w_out: n nodes; it may be the problem's w_cap unless the road is
+// choice: the road to take. vv_out: n nodes; it may be the problem's vv_cap unless the road is
 // NCK_HOST_THREADS. *report_out is filled in any case.
 // Returns NCK_OK; NCK_E_ARGUMENT if n is 0, the choice is not possible (bad = n), or a number is
-// NaN, infinite or negative (its index in bad; w_start: 0, w_end: n − 1): w_out is all zero then.
+// NaN, infinite or negative (its index in bad; vv_start: 0, vv_end: n − 1): vv_out is all 0 then.
 // Cost: linear, two passes. Context: any.
 nck_status_t nck_host_envelope_double(const nck_host_choice_t *choice,
-                                      const nck_host_problem_double_t *problem, double *w_out,
+                                      const nck_host_problem_double_t *problem, double *vv_out,
                                       nck_host_envelope_report_t *report_out);
 
 // As nck_host_envelope_double, in float.
 nck_status_t nck_host_envelope_float(const nck_host_choice_t *choice,
-                                     const nck_host_problem_float_t *problem, float *w_out,
+                                     const nck_host_problem_float_t *problem, float *vv_out,
                                      nck_host_envelope_report_t *report_out);
 
-// The first index whose cap or piece is NaN, infinite or negative (w_start: 0, w_end: n − 1); n
+// The first index whose cap or piece is NaN, infinite or negative (vv_start: 0, vv_end: n − 1); n
 // if all are good. Cost: linear. Context: any.
 size_t nck_host_envelope_bad_double(const nck_host_problem_double_t *problem);
 

@@ -13,11 +13,11 @@
 
 static int moves(const nck_seg_t *seg) { return seg->kind < NCK_SEG_DWELL; }
 
-static void add_phase(nck_host_grade_cursor_t *cursor, double length, double w0, double w1) {
+static void add_phase(nck_host_grade_cursor_t *cursor, double length, double vv0, double vv1) {
     if (!(length > 0.0)) return;
     cursor->lengths[cursor->phases] = length;
-    cursor->ends[cursor->phases][0] = w0;
-    cursor->ends[cursor->phases][1] = w1;
+    cursor->ends[cursor->phases][0] = vv0;
+    cursor->ends[cursor->phases][1] = vv1;
     cursor->phases++;
 }
 
@@ -28,15 +28,15 @@ static void begin_unit(const nck_host_grades_t *self, nck_host_grade_cursor_t *c
     const nck_grade_rule_t *const rule = &stretch->rule;
     const nck_unit_t *const unit = &self->units[cursor->unit];
     const int32_t *const grade = self->grade + cursor->unit + cursor->stretch;
-    const double w0 = nck_grade_vv(rule, grade[0]);
-    const double w1 = nck_grade_vv(rule, grade[1]);
+    const double vv0 = nck_grade_vv(rule, grade[0]);
+    const double vv1 = nck_grade_vv(rule, grade[1]);
     cursor->seg = unit->seg;
     cursor->s = unit->s;
     cursor->phase = 0;
     cursor->phases = 0;
     cursor->done = 0.0;
-    if (w0 > 0.0 || w1 > 0.0) {
-        add_phase(cursor, unit->length, w0, w1);
+    if (vv0 > 0.0 || vv1 > 0.0) {
+        add_phase(cursor, unit->length, vv0, vv1);
         return;
     }
     const double v = self->v[cursor->unit];
@@ -83,14 +83,14 @@ static int make_cell(const nck_host_grades_t *self, nck_host_grade_cursor_t *cur
     const int leaves = last_phase || left > room + whole * LENGTH_EPSILON; // the seg, or the unit
     const int finishes = leaves ? ends_unit && last_phase : 1;             // the phase
     const double length = leaves ? room : nck_min(left, room);
-    const double w0 = vv_at(cursor, cursor->done);
-    const double w1 = finishes ? cursor->ends[cursor->phase][1]
+    const double vv0 = vv_at(cursor, cursor->done);
+    const double vv1 = finishes ? cursor->ends[cursor->phase][1]
                                : vv_at(cursor, cursor->done + length);
     memset(cell, 0, sizeof *cell);
     cell->seg = seg->seq;
     cell->s = cursor->s;
     cell->length = length;
-    cell->v = nck_sqrt(w0);
+    cell->v = nck_sqrt(vv0);
     cell->last = (uint8_t)(leaves && (!ends_unit || unit->s_end >= seg->length));
     cursor->s += length;
     cursor->done += length;
@@ -102,9 +102,9 @@ static int make_cell(const nck_host_grades_t *self, nck_host_grade_cursor_t *cur
         cursor->phase++;
         cursor->done = 0.0;
     }
-    const int made = length > 0.0 && w0 + w1 > 0.0;
-    cell->a = made ? nck_ramp_accel(length, w0, w1) : 0.0;
-    cell->duration = made ? nck_ramp_duration(length, cell->v, nck_sqrt(w1)) : 0.0;
+    const int made = length > 0.0 && vv0 + vv1 > 0.0;
+    cell->a = made ? nck_ramp_accel(length, vv0, vv1) : 0.0;
+    cell->duration = made ? nck_ramp_duration(length, cell->v, nck_sqrt(vv1)) : 0.0;
     cell->limit = held_by(self, cursor, cell->a);
     return made;
 }

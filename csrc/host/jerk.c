@@ -45,8 +45,8 @@ static size_t first_bad(const nck_host_path_t *path, const nck_host_jerk_t *how)
 static void share_out(ladder_t *self, void *work, size_t nodes) {
     double *const first = work;
     double **const arrays[ARRAYS] = {
-        &self->profile.h, &self->profile.w_cap, &self->profile.a_max, &self->profile.j_max,
-        &self->profile.w, &self->profile.s,     &self->profile.up,    &self->profile.down,
+        &self->profile.h, &self->profile.vv_cap, &self->profile.a_max, &self->profile.j_max,
+        &self->profile.vv, &self->profile.s,     &self->profile.up,    &self->profile.down,
         &self->profile.e, &self->profile.z,     &self->profile.j};
     for (size_t k = 0; k < ARRAYS; k++) *arrays[k] = first + k * nodes;
     void *const behind = first + ARRAYS * nodes;
@@ -75,12 +75,12 @@ static void push(ladder_t *self, uint32_t seg, double h) {
 
 static void lay_segment(ladder_t *self, uint32_t seg) {
     const nck_host_path_t *const path = self->path;
-    const double w0 = junction_cap(self, seg);
-    const double w1 = junction_cap(self, (size_t)seg + 1);
-    const nck_ladder_piece_t piece = {w0, w1, square(path->v_cap[seg]), path->a_max[seg],
+    const double vv0 = junction_cap(self, seg);
+    const double vv1 = junction_cap(self, (size_t)seg + 1);
+    const nck_ladder_piece_t piece = {vv0, vv1, square(path->v_cap[seg]), path->a_max[seg],
                                       path->j_max[seg] * self->j_scale};
     // From rest to rest takes two cells at least.
-    const double most = w0 == 0.0 && w1 == 0.0 ? 0.25 * path->length[seg] : path->length[seg];
+    const double most = vv0 == 0.0 && vv1 == 0.0 ? 0.25 * path->length[seg] : path->length[seg];
     double x = 0.0;
     while (self->cells < NCK_HOST_JERK_NODES) {
         const double left = path->length[seg] - x;
@@ -115,7 +115,7 @@ static int lay(ladder_t *self) {
 
 static double cell_duration(const ladder_t *self, uint32_t i) {
     const nck_profile_t *const p = &self->profile;
-    const double v_sum = nck_sqrt(p->w[i]) + nck_sqrt(p->w[i + 1]);
+    const double v_sum = nck_sqrt(p->vv[i]) + nck_sqrt(p->vv[i + 1]);
     return v_sum > 0.0 ? 2.0 * p->h[i] / v_sum : DBL_MAX;
 }
 
@@ -128,8 +128,8 @@ static uint32_t divide(ladder_t *self, uint32_t from, uint32_t to, int parts) {
     nck_profile_t *const p = &self->profile;
     const double h = p->h[from];
     const double q = cell_duration(self, from);
-    const double v = nck_sqrt(p->w[from]);
-    const double a = (p->w[from + 1] - p->w[from]) / (2.0 * h);
+    const double v = nck_sqrt(p->vv[from]);
+    const double a = (p->vv[from + 1] - p->vv[from]) / (2.0 * h);
     const uint32_t seg = self->seg[from];
     double end = h;
     for (int k = parts - 1; k >= 0; k--) {
@@ -161,7 +161,7 @@ static int divide_long(ladder_t *self) {
 static size_t first_standing(const ladder_t *self) {
     const nck_profile_t *const p = &self->profile;
     for (uint32_t i = 0; i < p->n; i++) {
-        if (!(p->w[i] + p->w[i + 1] > 0.0)) return self->seg[i];
+        if (!(p->vv[i] + p->vv[i + 1] > 0.0)) return self->seg[i];
     }
     return self->path->n;
 }
@@ -176,7 +176,7 @@ static size_t plan(ladder_t *self, double q_cap, int is_last) {
         const int junction = i == 0 || self->seg[i - 1] != seg;
         p->a_max[i] = path->a_max[seg];
         p->j_max[i] = path->j_max[seg] * self->j_scale;
-        p->w_cap[i] = junction ? junction_cap(self, seg) : square(path->v_cap[seg]);
+        p->vv_cap[i] = junction ? junction_cap(self, seg) : square(path->v_cap[seg]);
     }
     p->q_cap = q_cap;
     p->count = is_last ? p->n : 0;
@@ -208,12 +208,12 @@ static void draw(const ladder_t *self, double *v_out, nck_cell_t *cells) {
         if (first) s = 0.0;
         cell->seg = self->seg[i];
         cell->last = i + 1 == p->n || self->seg[i + 1] != self->seg[i];
-        cell->stop = p->w[i + 1] == 0.0;
+        cell->stop = p->vv[i + 1] == 0.0;
         cell->s = s;
         cell->length = p->h[i];
-        cell->v = nck_sqrt(p->w[i]);
+        cell->v = nck_sqrt(p->vv[i]);
         cell->duration = cell_duration(self, i);
-        cell->a = (p->w[i + 1] - p->w[i]) / (2.0 * p->h[i]);
+        cell->a = (p->vv[i + 1] - p->vv[i]) / (2.0 * p->h[i]);
         if (first) v_out[cell->seg] = cell->v;
         s += p->h[i];
     }

@@ -19,7 +19,7 @@
 typedef struct lookahead {
     const nck_host_keinert_settings_t *settings;
     const nck_host_problem_double_t *problem;
-    const double *w_feed;
+    const double *vv_feed;
     const nck_host_keinert_tables_t *tables;
     int64_t begin_ns;
 } lookahead_t;
@@ -48,7 +48,7 @@ static uint32_t choose_overlap(const lookahead_t *self, size_t i, int step, size
     uint32_t k = 0;
     while (k < most && (k < self->settings->overlap_min || reached < needed || k == 0)) {
         const size_t piece = step > 0 ? i + k : i - 1 - k;
-        if (self->w_feed[piece] > needed) needed = self->w_feed[piece];
+        if (self->vv_feed[piece] > needed) needed = self->vv_feed[piece];
         reached += self->problem->h[piece];
         k++;
     }
@@ -65,8 +65,8 @@ static size_t fill_buffer(const lookahead_t *self, const nck_host_keinert_task_t
     const size_t end = behind < self->problem->n ? behind + 1 : self->problem->n;
     for (size_t i = begin; i < end; i++) {
         const double h = i + 1 < self->problem->n ? self->problem->h[i] : 0.0;
-        const double w_cap = self->problem->w_cap[i];
-        rows[i - begin] = (nck_host_keinert_row_t){.number = i, .w_cap = w_cap, .h = h};
+        const double vv_cap = self->problem->vv_cap[i];
+        rows[i - begin] = (nck_host_keinert_row_t){.number = i, .vv_cap = vv_cap, .h = h};
     }
     return end - begin;
 }
@@ -75,24 +75,24 @@ static size_t fill_buffer(const lookahead_t *self, const nck_host_keinert_task_t
 static void pass_backward(const lookahead_t *self, nck_host_keinert_row_t *rows, size_t count) {
     nck_host_keinert_row_t *last = &rows[count - 1];
     const int is_end = last->number + 1 == self->problem->n;
-    last->w_most = is_end ? nck_min(last->w_cap, self->problem->w_end) : last->w_cap;
-    last->w = is_end ? last->w_most : nck_envelope_backward(last->w_cap, 0.0, 0.0);
+    last->vv_most = is_end ? nck_min(last->vv_cap, self->problem->vv_end) : last->vv_cap;
+    last->vv = is_end ? last->vv_most : nck_envelope_backward(last->vv_cap, 0.0, 0.0);
     for (size_t i = count - 1; i-- > 0;) {
         const nck_host_keinert_row_t *next = &rows[i + 1];
-        rows[i].w = nck_envelope_backward(rows[i].w_cap, next->w, rows[i].h);
-        rows[i].w_most = nck_envelope_backward(rows[i].w_cap, next->w_most, rows[i].h);
+        rows[i].vv = nck_envelope_backward(rows[i].vv_cap, next->vv, rows[i].h);
+        rows[i].vv_most = nck_envelope_backward(rows[i].vv_cap, next->vv_most, rows[i].h);
     }
 }
 
 static void pass_forward(const lookahead_t *self, nck_host_keinert_row_t *rows, size_t count) {
     const int is_start = rows[0].number == 0;
-    if (is_start) rows[0].w_most = nck_min(rows[0].w_most, self->problem->w_start);
-    rows[0].w = is_start ? nck_min(rows[0].w, self->problem->w_start)
-                         : nck_envelope_backward(rows[0].w, 0.0, 0.0);
+    if (is_start) rows[0].vv_most = nck_min(rows[0].vv_most, self->problem->vv_start);
+    rows[0].vv = is_start ? nck_min(rows[0].vv, self->problem->vv_start)
+                         : nck_envelope_backward(rows[0].vv, 0.0, 0.0);
     for (size_t i = 1; i < count; i++) {
         const nck_host_keinert_row_t *before = &rows[i - 1];
-        rows[i].w = nck_envelope_forward(rows[i].w, before->w, before->h);
-        rows[i].w_most = nck_envelope_forward(rows[i].w_most, before->w_most, before->h);
+        rows[i].vv = nck_envelope_forward(rows[i].vv, before->vv, before->h);
+        rows[i].vv_most = nck_envelope_forward(rows[i].vv_most, before->vv_most, before->h);
     }
 }
 
@@ -115,17 +115,17 @@ static void run_task(void *context, size_t index, int thread) {
     pass_backward(self, rows, count);
     pass_forward(self, rows, count);
     const nck_host_keinert_row_t *own = rows + task->overlap_before;
-    for (size_t i = 0; i < task->count; i++) task->dropped += own[i].w < own[i].w_most;
+    for (size_t i = 0; i < task->count; i++) task->dropped += own[i].vv < own[i].vv_most;
     task->exit_ns = nck_host_clock_ns() - self->begin_ns;
 }
 
 // Put the common profile together: own rows only, each to the place that its number says.
-static void assemble(const lookahead_t *self, double *w_out) {
+static void assemble(const lookahead_t *self, double *vv_out) {
     const size_t tasks = nck_host_keinert_tasks(self->settings, self->problem->n);
     for (size_t k = 0; k < tasks; k++) {
         const nck_host_keinert_task_t *task = &self->tables->tasks[k];
         const nck_host_keinert_row_t *own = buffer_of(self, k) + task->overlap_before;
-        for (size_t i = 0; i < task->count; i++) w_out[own[i].number] = own[i].w;
+        for (size_t i = 0; i < task->count; i++) vv_out[own[i].number] = own[i].vv;
     }
 }
 
@@ -138,23 +138,23 @@ static int is_possible(const nck_host_keinert_settings_t *settings) {
 static size_t first_bad(const lookahead_t *self) {
     const size_t bad = nck_host_envelope_bad_double(self->problem);
     for (size_t i = 0; i + 1 < self->problem->n && i < bad; i++) {
-        const double w_feed = self->w_feed[i];
-        if (!(w_feed >= 0.0 && w_feed - w_feed == 0.0)) return i; // infinity − infinity is NaN
+        const double vv_feed = self->vv_feed[i];
+        if (!(vv_feed >= 0.0 && vv_feed - vv_feed == 0.0)) return i; // infinity − infinity is NaN
     }
     return bad;
 }
 
 nck_status_t nck_host_keinert(const nck_host_keinert_settings_t *settings,
-                              const nck_host_problem_double_t *problem, const double *w_feed,
-                              const nck_host_keinert_tables_t *tables, double *w_out,
+                              const nck_host_problem_double_t *problem, const double *vv_feed,
+                              const nck_host_keinert_tables_t *tables, double *vv_out,
                               size_t *bad_out) {
-    lookahead_t self = {settings, problem, w_feed, tables, nck_host_clock_ns()};
+    lookahead_t self = {settings, problem, vv_feed, tables, nck_host_clock_ns()};
     *bad_out = problem->n;
     if (problem->n == 0 || !is_possible(settings)) return NCK_E_ARGUMENT;
     *bad_out = first_bad(&self);
     if (*bad_out < problem->n) return NCK_E_ARGUMENT;
     nck_host_threads_run(nck_host_keinert_tasks(settings, problem->n), settings->threads, run_task,
                          &self);
-    assemble(&self, w_out);
+    assemble(&self, vv_out);
     return NCK_OK;
 }

@@ -27,10 +27,10 @@ typedef struct nck_host_keinert_settings {
 // An element of a look-ahead buffer: the start of a block.
 typedef struct nck_host_keinert_row {
     uint64_t number; // of the block: its place in the interpreter's buffer
-    double w_cap;    // [mm²/s²]
+    double vv_cap;   // [mm²/s²]
     double h;        // [mm²/s²]
-    double w;        // found: from rest at both ends of the buffer, never too high
-    double w_most;   // no profile can be above: from the caps at both ends
+    double vv;       // found: from rest at both ends of the buffer, never too high
+    double vv_most;  // no profile can be above: from the caps at both ends
 } nck_host_keinert_row_t;
 
 // A task: one look-ahead buffer.
@@ -40,7 +40,7 @@ typedef struct nck_host_keinert_task {
     uint32_t overlap_before; // blocks, as chosen
     uint32_t overlap_behind;
     uint32_t too_short;      // 1: overlap_max was not enough to reach the feed
-    uint32_t dropped;        // own blocks whose w is not certain: it may be lower than needed
+    uint32_t dropped;        // own blocks whose vv is not certain: it may be lower than needed
     int32_t thread;          // who ran it
     int64_t entry_ns;        // since the call [ns]
     int64_t exit_ns;
@@ -59,15 +59,15 @@ size_t nck_host_keinert_tasks(const nck_host_keinert_settings_t *settings, size_
 size_t nck_host_keinert_rows(const nck_host_keinert_settings_t *settings);
 
 // The look-ahead of a whole interpreter buffer by parallel tasks.
-// w_feed: n − 1 blocks, programmed feed squared [mm²/s²]: an overlap ends where the path from its
-// border suffices to brake from there, or to reach it. tables: filled. w_out: n nodes, not the
-// problem's w_cap: equal to the exact envelope wherever no task reports a drop, never above it.
+// vv_feed: n − 1 blocks, programmed feed squared [mm²/s²]: an overlap ends where the path from its
+// border suffices to brake from there, or to reach it. tables: filled. vv_out: n nodes, not the
+// problem's vv_cap: equal to the exact envelope wherever no task reports a drop, never above it.
 // Returns NCK_OK; NCK_E_ARGUMENT if n is 0 or the settings are out of range (*bad_out = n), or a
-// number is NaN, infinite or negative (*bad_out: its index); nothing is written to w_out then.
+// number is NaN, infinite or negative (*bad_out: its index); nothing is written to vv_out then.
 // Cost: linear. Context: prep.
 nck_status_t nck_host_keinert(const nck_host_keinert_settings_t *settings,
-                              const nck_host_problem_double_t *problem, const double *w_feed,
-                              const nck_host_keinert_tables_t *tables, double *w_out,
+                              const nck_host_problem_double_t *problem, const double *vv_feed,
+                              const nck_host_keinert_tables_t *tables, double *vv_out,
                               size_t *bad_out);
 
 #ifdef __cplusplus

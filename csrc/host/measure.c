@@ -8,13 +8,13 @@
 static int64_t lesser(int64_t a, int64_t b) { return a < b ? a : b; }
 
 int64_t nck_host_measure_double(const nck_host_choice_t *choice,
-                                const nck_host_problem_double_t *problem, double *w_out,
+                                const nck_host_problem_double_t *problem, double *vv_out,
                                 int runs) {
     nck_host_envelope_report_t report;
     int64_t least = INT64_MAX;
     for (int k = 0; k < runs; k++) {
         const int64_t begin = nck_host_clock_ns();
-        const nck_status_t status = nck_host_envelope_double(choice, problem, w_out, &report);
+        const nck_status_t status = nck_host_envelope_double(choice, problem, vv_out, &report);
         least = lesser(least, nck_host_clock_ns() - begin);
         if (status < 0) return status;
     }
@@ -22,12 +22,12 @@ int64_t nck_host_measure_double(const nck_host_choice_t *choice,
 }
 
 int64_t nck_host_measure_float(const nck_host_choice_t *choice,
-                               const nck_host_problem_float_t *problem, float *w_out, int runs) {
+                               const nck_host_problem_float_t *problem, float *vv_out, int runs) {
     nck_host_envelope_report_t report;
     int64_t least = INT64_MAX;
     for (int k = 0; k < runs; k++) {
         const int64_t begin = nck_host_clock_ns();
-        const nck_status_t status = nck_host_envelope_float(choice, problem, w_out, &report);
+        const nck_status_t status = nck_host_envelope_float(choice, problem, vv_out, &report);
         least = lesser(least, nck_host_clock_ns() - begin);
         if (status < 0) return status;
     }

@@ -18,11 +18,11 @@ extern "C" {
 // Returns nanoseconds, or the negative status of a run that failed. Cost: runs × linear. Context:
 // any.
 int64_t nck_host_measure_double(const nck_host_choice_t *choice,
-                                const nck_host_problem_double_t *problem, double *w_out, int runs);
+                                const nck_host_problem_double_t *problem, double *vv_out, int runs);
 
 // As nck_host_measure_double, of nck_host_envelope_float.
 int64_t nck_host_measure_float(const nck_host_choice_t *choice,
-                               const nck_host_problem_float_t *problem, float *w_out, int runs);
+                               const nck_host_problem_float_t *problem, float *vv_out, int runs);
 
 // The least time of some runs of nck_host_triad [ns]. Arrays as there. Context: any.
 int64_t nck_host_measure_triad(const float *b, const float *c, size_t n, int threads, float *a_out,

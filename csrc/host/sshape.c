@@ -149,14 +149,14 @@ static void draw_line(nck_sshape_pen_t *pen, const segment_t *seg, double v, dou
 
 static void draw_linear(nck_sshape_pen_t *pen, const segment_t *seg, double v1) {
     const double cap = seg->of.v_cap * seg->of.v_cap;
-    const double w[2] = {pen->v * pen->v, v1 * v1};
-    const double w_peak = nck_ramp_peak(seg->of.length, w[0], w[1], seg->of.a, cap);
-    const double ramps = nck_ramp_length(w[0], w_peak, seg->of.a)
-                         + nck_ramp_length(w_peak, w[1], seg->of.a);
+    const double vv[2] = {pen->v * pen->v, v1 * v1};
+    const double vv_peak = nck_ramp_peak(seg->of.length, vv[0], vv[1], seg->of.a, cap);
+    const double ramps = nck_ramp_length(vv[0], vv_peak, seg->of.a)
+                         + nck_ramp_length(vv_peak, vv[1], seg->of.a);
     const double cruise = seg->of.length - ramps;
     const int cruises = cruise > NCK_SSHAPE_EPSILON * seg->of.length;
     const double stretch = cruises ? 1.0 : seg->of.length / ramps;
-    const double peak = nck_sqrt(w_peak);
+    const double peak = nck_sqrt(vv_peak);
     draw_line(pen, seg, peak, stretch);
     if (cruises) nck_sshape_draw(pen, cruise / peak, 0.0, 0.0);
     draw_line(pen, seg, v1, stretch);

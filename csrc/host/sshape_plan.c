@@ -47,8 +47,8 @@ static uint32_t nodes_of_hop(const nck_node_t *first, size_t left) {
 }
 
 // The speed at the junction next to a zone that keeps its cap throughout.
-static double v_beside(const nck_node_t *zone, double w, double j) {
-    if (zone->vv_piece >= w) return nck_sqrt(w);
+static double v_beside(const nck_node_t *zone, double vv, double j) {
+    if (zone->vv_piece >= vv) return nck_sqrt(vv);
     return nck_sqrt(nck_max(0.0, zone->vv_piece - gain_in(zone, j)));
 }
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The fastest jerk-limited profile of a path, found numerically: slow, and nobody's planner.
 
-The path coordinate is cut into cells of constant acceleration. Unknown is w = v² at the nodes. The
-time Σ 2h/(v + v') is convex in w, the limits of speed and acceleration are linear, and of the jerk
-rule |a' − a| ≤ J (q + q')/2 only the durations q are not: they are convex in w, so their tangent
+The path coordinate is cut into cells of constant acceleration. Unknown is v² at the nodes. The
+time Σ 2h/(v + v') is convex in v², the limits of speed and acceleration are linear, and of the jerk
+rule |a' − a| ≤ J (q + q')/2 only the durations q are not: they are convex in v², so their tangent
 at a feasible profile lies below them, and the rule with the tangent is linear and stricter. So
 every profile on the way is feasible (the convex-concave procedure: Lipp and Boyd, "Variations and
 extension of the convex-concave procedure", 2016), and Newton steps along a logarithmic barrier
@@ -29,14 +29,14 @@ class Grid:
     ----------
     h : numpy.ndarray
         (n,) lengths [mm].
-    w_cap : numpy.ndarray
+    vv_cap : numpy.ndarray
         (n + 1,) largest v² [mm²/s²], 0 at both ends.
     a, j : numpy.ndarray
         (n,) limits of acceleration [mm/s²] and jerk [mm/s³].
     """
 
     h: np.ndarray
-    w_cap: np.ndarray
+    vv_cap: np.ndarray
     a: np.ndarray
     j: np.ndarray
 
@@ -67,13 +67,13 @@ def grid_of(length_mm, v_cap, a_max, j_max, v_node, cell_mm):
     inside = np.minimum(v_cap[owner[:-1]], v_cap[owner[1:]])
     is_junction = np.diff(owner) == 1
     inside[is_junction] = np.minimum(inside[is_junction], v_node[1:-1])
-    w_cap = np.concatenate([[0.0], inside**2, [0.0]])
-    return Grid(h, w_cap, a_max[owner], j_max[owner])
+    vv_cap = np.concatenate([[0.0], inside**2, [0.0]])
+    return Grid(h, vv_cap, a_max[owner], j_max[owner])
 
 
-def _durations(h, w):
-    """Return the time of every cell and its derivatives by w at both ends; 0 where w is fixed."""
-    v = np.sqrt(w)
+def _durations(h, vv):
+    """Return the time of every cell and its derivatives by vv at both ends; 0 where vv is fixed."""
+    v = np.sqrt(vv)
     q = 2 * h / (v[:-1] + v[1:])
     with np.errstate(divide="ignore"):
         left, right = -q / (2 * v[:-1] * (v[:-1] + v[1:])), -q / (2 * v[1:] * (v[:-1] + v[1:]))
@@ -81,9 +81,9 @@ def _durations(h, w):
     return q, left, right
 
 
-def _time_bands(h, w):
-    """Return the Hessian of the time by w: its diagonal, and the next one."""
-    v = np.sqrt(w)
+def _time_bands(h, vv):
+    """Return the Hessian of the time by vv: its diagonal, and the next one."""
+    v = np.sqrt(vv)
     a, b = v[:-1], v[1:]
     with np.errstate(divide="ignore", invalid="ignore"):
         left = h * (3 * a + b) / (2 * a**3 * (a + b) ** 3)
@@ -95,27 +95,27 @@ def _time_bands(h, w):
 class _Rules:
     """All limits as rows of three coefficients, those of the nodes around `node`, and bounds."""
 
-    def __init__(self, grid, w):
+    def __init__(self, grid, vv):
         n, zero = len(grid.h), np.zeros(1)
-        slope = 0.5 / grid.h  # of an acceleration, by w
+        slope = 0.5 / grid.h  # of an acceleration, by vv
         before, behind = np.append(zero, slope), np.append(slope, zero)
         change = np.stack([before, -before - behind, behind], axis=1)
         jerk = np.minimum(np.append(grid.j, np.inf), np.append(np.inf, grid.j)) / 2
-        q, left, right = (np.append(zero, np.append(x, zero)) for x in _durations(grid.h, w))
+        q, left, right = (np.append(zero, np.append(x, zero)) for x in _durations(grid.h, vv))
         tangent = jerk[:, None] * np.stack([left[:-1], right[:-1] + left[1:], right[1:]], axis=1)
-        rest = jerk * (q[:-1] + q[1:]) - _products(tangent, w, np.arange(n + 1))
+        rest = jerk * (q[:-1] + q[1:]) - _products(tangent, vv, np.arange(n + 1))
         accel = np.stack([np.zeros(n), -slope, slope], axis=1)
         cap = np.tile([0.0, 1.0, 0.0], (n - 1, 1))
         self.rows = np.concatenate([cap, accel, -accel, change - tangent, -change - tangent])
-        self.bound = np.concatenate([grid.w_cap[1:-1], grid.a, grid.a, rest, rest])
+        self.bound = np.concatenate([grid.vv_cap[1:-1], grid.a, grid.a, rest, rest])
         nodes, cells = np.arange(n + 1), np.arange(n)
         self.node = np.concatenate([nodes[1:-1], cells, cells, nodes, nodes])
 
-    def products(self, w):
-        return _products(self.rows, w, self.node)
+    def products(self, vv):
+        return _products(self.rows, vv, self.node)
 
-    def slack(self, w):
-        return self.bound - self.products(w)
+    def slack(self, vv):
+        return self.bound - self.products(vv)
 
     def gradient(self, weights, n):
         """Return the sum of all rows, each times its weight, by node."""
@@ -156,36 +156,36 @@ def _solve(bands, right):
     return np.array(x)
 
 
-def _products(rows, w, node):
-    padded = np.concatenate([[0.0], w, [0.0]])
+def _products(rows, vv, node):
+    padded = np.concatenate([[0.0], vv, [0.0]])
     return (rows * padded[node[:, None] + np.arange(3)]).sum(axis=1)
 
 
-def _newton(grid, w, weight):
-    """Return w after one Newton step towards the barrier's centre, and how much that gains."""
-    rules, n = _Rules(grid, w), len(grid.h)
-    inverse = 1 / rules.slack(w)
-    _, left, right = _durations(grid.h, w)
+def _newton(grid, vv, weight):
+    """Return vv after one Newton step towards the barrier's centre, and how much that gains."""
+    rules, n = _Rules(grid, vv), len(grid.h)
+    inverse = 1 / rules.slack(vv)
+    _, left, right = _durations(grid.h, vv)
     gradient = np.append(left, 0) + np.append(0, right) + weight * rules.gradient(inverse, n)
     bands = weight * rules.hessian(inverse**2, n)
-    diagonal, across = _time_bands(grid.h, w)
+    diagonal, across = _time_bands(grid.h, vv)
     bands[0, 1:-1] += diagonal[1:-1]
     bands[1, 1:-2] += across[1:-1]
     step = np.zeros(n + 1)
     step[1:-1] = -_solve(bands[:, 1:-1], gradient[1:-1])
-    limits = np.append(rules.products(step) * inverse, -step[1:-1] / w[1:-1])
+    limits = np.append(rules.products(step) * inverse, -step[1:-1] / vv[1:-1])
     most = min(1.0, INSIDE / max(limits.max(), 1e-12))
-    return w + most * step, -float(gradient @ step)
+    return vv + most * step, -float(gradient @ step)
 
 
 def _slow_start(grid):
     """Return a profile strictly inside all limits: with v, jerk falls as its third power."""
     s = np.concatenate([[0.0], np.cumsum(grid.h)])
-    w = np.minimum(s, s[-1] - s) ** (4 / 3)  # of constant jerk from rest
-    w *= 0.9 * np.min(grid.w_cap[1:-1] / w[1:-1])
-    while (_Rules(grid, w).slack(w) <= 0).any():
-        w = 0.7 * w
-    return w
+    vv = np.minimum(s, s[-1] - s) ** (4 / 3)  # of constant jerk from rest
+    vv *= 0.9 * np.min(grid.vv_cap[1:-1] / vv[1:-1])
+    while (_Rules(grid, vv).slack(vv) <= 0).any():
+        vv = 0.7 * vv
+    return vv
 
 
 def fastest(grid):
@@ -197,7 +197,7 @@ def fastest(grid):
 
     Returns
     -------
-    w : numpy.ndarray
+    vv : numpy.ndarray
         (n + 1,) v² at the nodes [mm²/s²].
     time_s : float
 
@@ -208,14 +208,14 @@ def fastest(grid):
     >>> round(fastest(grid)[1], 2)  # four phases of constant jerk: (32 s / J)^(1/3)
     0.32
     """
-    w = _slow_start(grid)
-    limits, time_s = 5 * len(grid.h), _durations(grid.h, w)[0].sum()
+    vv = _slow_start(grid)
+    limits, time_s = 5 * len(grid.h), _durations(grid.h, vv)[0].sum()
     weight = time_s / limits
     while weight * limits > GAP * time_s:
         for _ in range(STEPS):
-            w, gain = _newton(grid, w, weight)
+            vv, gain = _newton(grid, vv, weight)
             if gain < weight:
                 break
-        time_s = _durations(grid.h, w)[0].sum()
+        time_s = _durations(grid.h, vv)[0].sum()
         weight *= FALL
-    return w, float(time_s)
+    return vv, float(time_s)

@@ -92,34 +92,34 @@ def _aligned(array):
     return made
 
 
-def _copy_and_run(session, w_cap, h, w):
-    device.EnvelopeLaunch(session, w_cap, h, w).run(0.0, 0.0)
+def _copy_and_run(session, vv_cap, h, vv):
+    device.EnvelopeLaunch(session, vv_cap, h, vv).run(0.0, 0.0)
 
 
 def _envelope_rows(n, real, seconds):
     """Return the rows of one size and number type."""
-    w_cap, h = map(_aligned, parallel.sample(real, n))
-    want, w = device.empty(n, REALS[real]), device.empty(n, REALS[real])
-    serial_ns = parallel.time_envelope(real, "c", w_cap, h, want, seconds=seconds)
-    parallel.envelope(w_cap, h, backend="c", out=want)
+    vv_cap, h = map(_aligned, parallel.sample(real, n))
+    want, vv = device.empty(n, REALS[real]), device.empty(n, REALS[real])
+    serial_ns = parallel.time_envelope(real, "c", vv_cap, h, want, seconds=seconds)
+    parallel.envelope(vv_cap, h, backend="c", out=want)
     rows = [_row(n, f"serial C, {real}", serial_ns, serial_ns, True)]
     for kind in _kinds():
-        for name, run, finish in _variants(device.in_use(kind), w_cap, h, w):
-            w.fill(-1.0)
+        for name, run, finish in _variants(device.in_use(kind), vv_cap, h, vv):
+            vv.fill(-1.0)
             ns = _least_ns(run, seconds)
             finish()
-            equal = w.tobytes() == want.tobytes()
+            equal = vv.tobytes() == want.tobytes()
             rows.append(_row(n, f"{_name(kind)}, {name}, {real}", ns, serial_ns, equal))
     return rows
 
 
-def _variants(session, w_cap, h, w):
+def _variants(session, vv_cap, h, vv):
     """Yield (name, run, finish) of the ways to run the envelope on a device; finish: what is not
-    timed and w needs."""
+    timed and vv needs."""
     copying = device.Session(session.device)
     copying.shares_memory = False
-    copies = functools.partial(_copy_and_run, copying, w_cap, h, w)
-    launch = device.EnvelopeLaunch(session, w_cap, h, w)
+    copies = functools.partial(_copy_and_run, copying, vv_cap, h, vv)
+    launch = device.EnvelopeLaunch(session, vv_cap, h, vv)
     run = functools.partial(launch.run, 0.0, 0.0)
     if session.shares_memory:
         yield "zero-copy", run, _nothing

@@ -117,9 +117,11 @@ def _row(name, problem, optimum, kind):
 
 def _envelope_ns(nodes):
     """Return the time of the exact two-pass envelope over so many nodes [ns]."""
-    w_cap, h = parallel.sample("double", nodes)
-    w = np.empty_like(w_cap)
-    return parallel.time_envelope("double", w_cap=w_cap, h=h, w=w, backend="c", seconds=ENVELOPE_S)
+    vv_cap, h = parallel.sample("double", nodes)
+    vv = np.empty_like(vv_cap)
+    return parallel.time_envelope(
+        "double", vv_cap=vv_cap, h=h, vv=vv, backend="c", seconds=ENVELOPE_S
+    )
 
 
 def peaks(problem, profile):

@@ -58,18 +58,18 @@ def bench_lookahead_rows(sizes=SIZES, seconds=SECONDS):
 def _rows_of_real(n, real, bounds, seconds):
     """Return the rows of one size and number type."""
     rows, serial_ns, least = [], None, {}
-    w_cap, h = parallel.sample(real, n)
-    want = parallel.envelope(w_cap, h, backend="c")
+    vv_cap, h = parallel.sample(real, n)
+    want = parallel.envelope(vv_cap, h, backend="c")
     for name, options in roads():
-        w = np.zeros_like(w_cap)
-        ns = parallel.time_envelope(real, w_cap=w_cap, h=h, w=w, seconds=seconds, **options)
+        vv = np.zeros_like(vv_cap)
+        ns = parallel.time_envelope(real, vv_cap=vv_cap, h=h, vv=vv, seconds=seconds, **options)
         serial_ns = serial_ns or ns
         least.setdefault(options["backend"], ns)
-        bound = bounds[options.get("threads", 1)] * w.itemsize / 4  # the triad runs in float
+        bound = bounds[options.get("threads", 1)] * vv.itemsize / 4  # the triad runs in float
         row = _row(n, f"{name}, {real}", ns)
         row |= {
             "ratio_to_serial": serial_ns / ns,
-            "equal": w.tobytes() == want.tobytes(),
+            "equal": vv.tobytes() == want.tobytes(),
             "share_of_triad": bound / ns,
         }
         rows.append(row)

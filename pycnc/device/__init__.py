@@ -270,8 +270,8 @@ def prove(name):
     used = session(choose(name))
     for source, real in PROGRAMS:
         used.program(source, real)
-    w_cap, h, out = np.full(9000, 4.0), np.ones(8999), np.empty(9000)
-    EnvelopeLaunch(used, w_cap, h, out).run(0.0, 0.0)
+    vv_cap, h, out = np.full(9000, 4.0), np.ones(8999), np.empty(9000)
+    EnvelopeLaunch(used, vv_cap, h, out).run(0.0, 0.0)
     if out[4] != 4.0 or out[-2] != 1.0 or out.max() != 4.0:
         raise errors.DeviceError(f"{name} computes wrong numbers", id="device-build")
 
@@ -398,32 +398,32 @@ def empty(n, dtype=np.float64):
     return room[begin : begin + size].view(dtype)
 
 
-def _check_arrays(w_cap, h, out):
-    n = len(w_cap)
-    good = w_cap.dtype == h.dtype == out.dtype and out.dtype in REALS
-    shapes = (w_cap.shape, h.shape, out.shape) == ((n,), (max(n - 1, 0),), (n,))
-    flat = all(each.flags.c_contiguous for each in (w_cap, h, out))
+def _check_arrays(vv_cap, h, out):
+    n = len(vv_cap)
+    good = vv_cap.dtype == h.dtype == out.dtype and out.dtype in REALS
+    shapes = (vv_cap.shape, h.shape, out.shape) == ((n,), (max(n - 1, 0),), (n,))
+    flat = all(each.flags.c_contiguous for each in (vv_cap, h, out))
     if not (good and shapes and flat and n > 0):
         raise errors.ArgumentError(
-            "w_cap (n), h (n − 1) and out (n) must be contiguous, of one type, float32 or "
+            "vv_cap (n), h (n − 1) and out (n) must be contiguous, of one type, float32 or "
             "float64, with n ≥ 1",
             id="argument",
         )
 
 
-def envelope(w_cap, h, w_start, w_end, out, *, device=None, kernel=None):
+def envelope(vv_cap, h, vv_start, vv_end, out, *, device=None, kernel=None):
     """Compute the exact two-pass envelope on a device: the bits of C, or an error.
 
     Parameters
     ----------
-    w_cap : numpy.ndarray
+    vv_cap : numpy.ndarray
         (n,) cap of v² at every node [mm²/s²], float32 or float64, contiguous.
     h : numpy.ndarray
         (n − 1,) 2·a·length of every piece [mm²/s²].
-    w_start, w_end : float
+    vv_start, vv_end : float
         v² at the ends, at most [mm²/s²].
     out : numpy.ndarray
-        (n,) to fill; it may be w_cap.
+        (n,) to fill; it may be vv_cap.
     device : str or Device, optional
         As for `choose`.
     kernel : {"parts", "tiles"}, optional
@@ -444,14 +444,14 @@ def envelope(w_cap, h, w_start, w_end, out, *, device=None, kernel=None):
 
     Examples
     --------
-    >>> w = empty(3)
-    >>> _ = envelope(np.array([9.0, 100.0, 9.0]), np.array([16.0, 4.0]), 9.0, 9.0, w)
-    >>> w
+    >>> vv = empty(3)
+    >>> _ = envelope(np.array([9.0, 100.0, 9.0]), np.array([16.0, 4.0]), 9.0, 9.0, vv)
+    >>> vv
     array([ 9., 13.,  9.])
     """
-    _check_arrays(w_cap, h, out)
+    _check_arrays(vv_cap, h, out)
     used = in_use(device)
-    caps = w_cap.copy() if np.may_share_memory(w_cap, out) else w_cap
+    caps = vv_cap.copy() if np.may_share_memory(vv_cap, out) else vv_cap
     with used.lock:
-        EnvelopeLaunch(used, caps, h, out, kernel=kernel).run(w_start, w_end)
+        EnvelopeLaunch(used, caps, h, out, kernel=kernel).run(vv_start, vv_end)
     return used.device

@@ -69,7 +69,7 @@ class _Parts:
         self.states = parts(session.device, n) if count is None else count
 
     def enqueue(self, path, n, ends, out):
-        """Enqueue the kernel: path, the buffers of caps and pieces; out, those of w and states."""
+        """Enqueue the kernel: path, the buffers of caps and pieces; out, those of vv and states."""
         names = ("envelope", "envelope", self.real)
         self.session.launch(names, (*path, n, *ends, *out), self.states)
 
@@ -90,9 +90,9 @@ class _Tiles:
 
     def enqueue(self, path, n, ends, out):
         """Enqueue both kernels, as `_Parts.enqueue`; the queue keeps their order."""
-        (w_cap, h), (w_start, w_end), (w, states) = path, ends, out
-        backward = (w_cap, h, n, w_end, self.run, self.between, states, *self.windows)
-        forward = (self.between, h, n, w_start, self.run, w, states, *self.windows)
+        (vv_cap, h), (vv_start, vv_end), (vv, states) = path, ends, out
+        backward = (vv_cap, h, n, vv_end, self.run, self.between, states, *self.windows)
+        forward = (self.between, h, n, vv_start, self.run, vv, states, *self.windows)
         for name, arguments in (("backward", backward), ("forward", forward)):
             names = ("envelope_gpu", name, self.real)
             self.session.launch(names, arguments, self.states * self.group, self.group)
@@ -105,45 +105,45 @@ class EnvelopeLaunch:
     ----------
     session : device.Session
         From `device.in_use`.
-    w_cap, h, out : numpy.ndarray
-        As for `device.envelope`; out must not share memory with w_cap.
+    vv_cap, h, out : numpy.ndarray
+        As for `device.envelope`; out must not share memory with vv_cap.
     count : int, optional
         Parts to cut the path into; by default what suits the device. Tiles take no notice.
     kernel : {"parts", "tiles"}, optional
         "tiles" is for GPUs and their default, "parts" for all others; either runs anywhere.
     """
 
-    def __init__(self, session, w_cap, h, out, count=None, kernel=None):
+    def __init__(self, session, vv_cap, h, out, count=None, kernel=None):
         self.session, self.out = session, out
         self.kernel = kernel or ("tiles" if session.device.kind == "gpu" else "parts")
         if self.kernel not in KERNELS:
             raise errors.ArgumentError(f"kernel {kernel!r} is none of {', '.join(KERNELS)}")
-        n = len(w_cap)
+        n = len(vv_cap)
         try:
             if self.kernel == "tiles":
                 self.form = _Tiles(session, n, out.dtype)
             else:
                 self.form = _Parts(session, n, out.dtype, count)
             self.states = np.empty(self.form.states, np.int32)
-            self.w = session.buffer(out, written=True)
+            self.vv = session.buffer(out, written=True)
             self.state_buffer = session.room(len(self.states), np.int32)
             # One node has no piece; an OpenCL buffer is never empty.
-            self.inputs = [session.buffer(each) for each in (w_cap, h if n > 1 else w_cap)]
+            self.inputs = [session.buffer(each) for each in (vv_cap, h if n > 1 else vv_cap)]
         except session.cl.Error as cause:
             raise session.lost(cause) from cause
 
-    def run(self, w_start, w_end):
+    def run(self, vv_start, vv_end):
         """Compute once and wait; raise DeviceError where the result is not certain."""
-        if not (_is_good(w_start) and _is_good(w_end)):
+        if not (_is_good(vv_start) and _is_good(vv_end)):
             raise _bad_number()
         with self.session.lock:
-            self._enqueue(w_start, w_end)
+            self._enqueue(vv_start, vv_end)
             self.fetch()
 
-    def run_kernels(self, w_start, w_end):
+    def run_kernels(self, vv_start, vv_end):
         """Compute once and wait; the result stays on the device until `fetch`."""
         with self.session.lock:
-            self._enqueue(w_start, w_end)
+            self._enqueue(vv_start, vv_end)
             try:
                 self.session.queue.finish()
             except self.session.cl.Error as cause:
@@ -153,7 +153,7 @@ class EnvelopeLaunch:
         """Bring the result into `out`; raise DeviceError where it is not certain."""
         with self.session.lock:
             try:
-                self.session.read(self.w, self.out)
+                self.session.read(self.vv, self.out)
                 self.session.read(self.state_buffer, self.states)
             except self.session.cl.Error as cause:
                 raise self.session.lost(cause) from cause
@@ -166,11 +166,11 @@ class EnvelopeLaunch:
                 id="device-overlap",
             )
 
-    def _enqueue(self, w_start, w_end):
+    def _enqueue(self, vv_start, vv_end):
         real = self.out.dtype.type
-        ends, n = (real(w_start), real(w_end)), np.int64(len(self.out))
+        ends, n = (real(vv_start), real(vv_end)), np.int64(len(self.out))
         try:
-            self.form.enqueue(self.inputs, n, ends, (self.w, self.state_buffer))
+            self.form.enqueue(self.inputs, n, ends, (self.vv, self.state_buffer))
         except self.session.cl.Error as cause:
             raise self.session.lost(cause) from cause
 

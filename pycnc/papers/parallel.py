@@ -20,12 +20,12 @@ _ARRAYS = 8  # copies of a path that a size needs at most, caps, pieces and resu
 
 
 def limits(blocks):
-    """Return (w_cap, h, w_feed) of the wavy surface, as Keinert's look-ahead takes them."""
-    w_cap, h = paths.polyline_limits(
+    """Return (vv_cap, h, vv_feed) of the wavy surface, as Keinert's look-ahead takes them."""
+    vv_cap, h = paths.polyline_limits(
         paths.freeform(blocks), paths.FREEFORM_FEED_MM_S, paths.FREEFORM_A_MAX,
         paths.FREEFORM_PERIOD_S,
     )  # fmt: skip
-    return w_cap, h, np.full(blocks, paths.FREEFORM_FEED_MM_S**2)
+    return vv_cap, h, np.full(blocks, paths.FREEFORM_FEED_MM_S**2)
 
 
 def efficiency_rows(sizes=BLOCKS):
@@ -41,9 +41,9 @@ def efficiency_rows(sizes=BLOCKS):
     rows = []
     for blocks in sizes:
         given = limits(blocks)
-        w = np.empty(blocks + 1)
-        serial_ns = parallel.time_envelope("double", "c", *given[:2], w, seconds=_SECONDS)
-        chunked, road = np.empty_like(w), "threads" if parallel.has_threads() else "simd"
+        vv = np.empty(blocks + 1)
+        serial_ns = parallel.time_envelope("double", "c", *given[:2], vv, seconds=_SECONDS)
+        chunked, road = np.empty_like(vv), "threads" if parallel.has_threads() else "simd"
         chunks_ns = parallel.time_envelope("double", road, *given[:2], chunked, seconds=_SECONDS)
         found = _best_keinert(given)
         rows.append({
@@ -54,7 +54,7 @@ def efficiency_rows(sizes=BLOCKS):
             "one_thread_us": round(_best_keinert(given, threads=1).wall_ns / 1e3, 1),
             "chunks_us": round(chunks_ns / 1e3, 1),
             "threads": parallel.threads(),
-            "equal": bool(np.array_equal(found.w, w) and np.array_equal(chunked, w)),
+            "equal": bool(np.array_equal(found.vv, vv) and np.array_equal(chunked, vv)),
         })  # fmt: skip
     return rows
 
@@ -85,13 +85,13 @@ def profiles(blocks=200_000, short=5):
     given = limits(blocks)
     found = _best_keinert(given)
     found_short = parallel.keinert(*given, overlap=(5, short))
-    serial = parallel.envelope(*given[:2], w_start=0, w_end=0, backend="c")
+    serial = parallel.envelope(*given[:2], vv_start=0, vv_end=0, backend="c")
     s = np.concatenate([[0], np.cumsum(given[1] / (2 * paths.FREEFORM_A_MAX))])
     return {
         "s": s,
         "serial": np.sqrt(serial),
-        "parallel": np.sqrt(found.w),
-        "short": np.sqrt(found_short.w),
+        "parallel": np.sqrt(found.vv),
+        "short": np.sqrt(found_short.vv),
         "found": found,
         "found_short": found_short,
     }
@@ -126,19 +126,19 @@ def scaling_rows(sizes=SIZES, backends=BACKENDS, progress=None):
 
 def _scaling_of(n, real, backends):
     """Return the rows of one size and number type."""
-    w_cap, h = (_aligned(each) for each in parallel.sample(real, n))
-    serial = parallel.envelope(w_cap, h, w_start=0, w_end=0, backend="c")
-    rows, w = [], _aligned(np.empty_like(w_cap))
+    vv_cap, h = (_aligned(each) for each in parallel.sample(real, n))
+    serial = parallel.envelope(vv_cap, h, vv_start=0, vv_end=0, backend="c")
+    rows, vv = [], _aligned(np.empty_like(vv_cap))
     for backend in backends:
         if backend == "opencl":
-            rows += _device_rows(n, real, w_cap, h, w, serial)
+            rows += _device_rows(n, real, vv_cap, h, vv, serial)
             continue
         try:
-            ns = parallel.time_envelope(real, backend, w_cap, h, w, seconds=_SECONDS) / n
+            ns = parallel.time_envelope(real, backend, vv_cap, h, vv, seconds=_SECONDS) / n
         except errors.DeviceError:
             continue  # built without threads
-        rows.append(_row(n, real, backend, ns, equal=bool(np.array_equal(w, serial))))
-    numbers, crews = n * w.itemsize // 4, {1, parallel.threads()}
+        rows.append(_row(n, real, backend, ns, equal=bool(np.array_equal(vv, serial))))
+    numbers, crews = n * vv.itemsize // 4, {1, parallel.threads()}
     triad_ns = min(parallel.time_triad(numbers, threads=crew, seconds=_SECONDS) for crew in crews)
     return [*rows, _row(n, real, "triad", triad_ns / n)]
 
@@ -156,7 +156,7 @@ def _aligned(array):
     return moved
 
 
-def _device_rows(n, real, w_cap, h, w, serial):
+def _device_rows(n, real, vv_cap, h, vv, serial):
     """Return the rows of every OpenCL device: in place, and with copies in and out."""
     from pycnc import device
 
@@ -168,13 +168,13 @@ def _device_rows(n, real, w_cap, h, w, serial):
     for kind in dict.fromkeys(kinds):
         session = device.in_use(kind)
         try:
-            launch = device.EnvelopeLaunch(session, w_cap, h, w)
+            launch = device.EnvelopeLaunch(session, vv_cap, h, vv)
             in_place = _least_ns(lambda run=launch.run: run(0, 0)) / n
         except errors.DeviceError:
             continue  # no certain overlap within a tile: auto goes on in C there
-        equal = bool(np.array_equal(w, serial))
+        equal = bool(np.array_equal(vv, serial))
         rows.append(_row(n, real, f"opencl {kind}", in_place, equal=equal))
-        copies = _copies_ns(session, w_cap, h, w)
+        copies = _copies_ns(session, vv_cap, h, vv)
         total = in_place + sum(copies) / n
         rows.append(_row(
             n, real, f"opencl {kind}, copies", total,
@@ -183,17 +183,17 @@ def _device_rows(n, real, w_cap, h, w, serial):
     return rows
 
 
-def _copies_ns(session, w_cap, h, w):
+def _copies_ns(session, vv_cap, h, vv):
     """Return the time [ns] of copies into a device's own memory and of the result out of it."""
-    pairs = [(session.room(len(array), array.dtype), array) for array in (w_cap, h)]
-    result = session.room(len(w), w.dtype)
+    pairs = [(session.room(len(array), array.dtype), array) for array in (vv_cap, h)]
+    result = session.room(len(vv), vv.dtype)
 
     def copy_in():
         for buffer, array in pairs:
             session.cl.enqueue_copy(session.queue, buffer, array)
 
     copy_in_ns = _least_ns(copy_in)
-    return copy_in_ns, _least_ns(lambda: session.cl.enqueue_copy(session.queue, w, result))
+    return copy_in_ns, _least_ns(lambda: session.cl.enqueue_copy(session.queue, vv, result))
 
 
 def _least_ns(work):

@@ -183,7 +183,7 @@ def freeform(blocks):
 
 
 def polyline_limits(points, feed, a_max, period_s):
-    """Return (w_cap, h) of a polyline as Keinert et al. plan it: V1 by angle, V2 by length, VC.
+    """Return (vv_cap, h) of a polyline as Keinert et al. plan it: V1 by angle, V2 by length, VC.
 
     Parameters
     ----------
@@ -194,7 +194,7 @@ def polyline_limits(points, feed, a_max, period_s):
 
     Returns
     -------
-    w_cap : numpy.ndarray
+    vv_cap : numpy.ndarray
         (n + 1,) smallest of V1² and VC² at every point, 0 at both ends [mm²/s²].
     h : numpy.ndarray
         (n,) 2 a·length of every block [mm²/s²].
@@ -215,10 +215,10 @@ def reach_rows(blocks=20000, lookaheads=(0, 1, 2, 6, 10, 20, 50, 100, None)):
     list of dict
         kind, lookahead (None: the whole path), time_s, ns_per_block of planning.
     """
-    w_cap, h = polyline_limits(
+    vv_cap, h = polyline_limits(
         freeform(blocks), FREEFORM_FEED_MM_S, FREEFORM_A_MAX, FREEFORM_PERIOD_S
     )
-    length, v_node, rows = h / (2 * FREEFORM_A_MAX), np.sqrt(w_cap), []
+    length, v_node, rows = h / (2 * FREEFORM_A_MAX), np.sqrt(vv_cap), []
     for kind in ("linear", "sshape"):
         for n in lookaheads:
             walls = []

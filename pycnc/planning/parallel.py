@@ -36,22 +36,22 @@ def processors():
 
 
 def envelope(
-    w_cap, h, *, w_start=0.0, w_end=0.0, backend="auto", threads=None, processor=None, out=None
+    vv_cap, h, *, vv_start=0.0, vv_end=0.0, backend="auto", threads=None, processor=None, out=None
 ):
     """Room 4: the largest profile of squared speeds that caps and accelerations allow.
 
-    The exact two-pass look-ahead: backward w_i = min(w_cap_i, w_{i+1} + h_i), then forward
-    w_{i+1} = min(w_{i+1}, w_i + h_i). All backends give the same bits; `dispatch.last_report` tells
-    who ran and why.
+    The exact two-pass look-ahead: backward vv_i = min(vv_cap_i, vv_{i+1} + h_i), then forward
+    vv_{i+1} = min(vv_{i+1}, vv_i + h_i). All backends give the same bits; `dispatch.last_report`
+    tells who ran and why.
 
     Parameters
     ----------
-    w_cap : array_like
+    vv_cap : array_like
         (n,) cap of v² at every node [mm²/s²], not negative.
     h : array_like
         (n − 1,) 2·a·length of every piece [mm²/s²], not negative. If both are float32, so is all
         that follows; otherwise it is float64.
-    w_start, w_end : float
+    vv_start, vv_end : float
         v² at the ends, at most [mm²/s²].
     backend : {"auto", "c", "simd", "threads", "opencl"}
         Serial, in the lanes of vectors, by OpenMP, on a device, or where a calibration found it
@@ -61,7 +61,7 @@ def envelope(
     processor : str, optional
         One of `processors`, for comparisons; without it the best one.
     out : numpy.ndarray, optional
-        (n,) array to fill; it may be w_cap. After an error it is not to be used.
+        (n,) array to fill; it may be vv_cap. After an error it is not to be used.
 
     Returns
     -------
@@ -77,36 +77,36 @@ def envelope(
 
     Examples
     --------
-    >>> envelope([9.0, 100.0, 9.0], [16.0, 4.0], w_start=9.0, w_end=9.0)
+    >>> envelope([9.0, 100.0, 9.0], [16.0, 4.0], vv_start=9.0, vv_end=9.0)
     array([ 9., 13.,  9.])
     """
-    w_cap, h, w = _arrays(w_cap, h, out)
-    real, n = _REALS[w.dtype], len(w)
+    vv_cap, h, vv = _arrays(vv_cap, h, out)
+    real, n = _REALS[vv.dtype], len(vv)
     choice = dispatch.choose(backend, real, n, _identity(), _measure)
-    path = (w_cap, h, (float(w_start), float(w_end)), w)
+    path = (vv_cap, h, (float(vv_start), float(vv_end)), vv)
     if choice.backend == "opencl":
         choice, report = _on_device_or_in_c(choice, real, path)
     else:
         report = _in_c(real, (choice.backend, threads, processor), *path)
     dispatch.note(dispatch.Report(choice.backend, backend, choice.why, real, n, **report))
-    return w
+    return vv
 
 
-def _arrays(w_cap, h, out):
+def _arrays(vv_cap, h, out):
     """Return caps, pieces and the array to fill: of one type, contiguous, of fitting lengths."""
-    w_cap, h = np.asarray(w_cap), np.asarray(h)
-    is_float = w_cap.dtype == np.float32 and h.dtype == np.float32
+    vv_cap, h = np.asarray(vv_cap), np.asarray(h)
+    is_float = vv_cap.dtype == np.float32 and h.dtype == np.float32
     real = np.dtype(np.float32 if is_float else np.float64)
-    w_cap, h = np.ascontiguousarray(w_cap, real), np.ascontiguousarray(h, real)
-    if w_cap.ndim != 1 or h.ndim != 1 or len(w_cap) != len(h) + 1:
-        raise errors.ArgumentError(f"{w_cap.shape} nodes and {h.shape} pieces do not fit")
+    vv_cap, h = np.ascontiguousarray(vv_cap, real), np.ascontiguousarray(h, real)
+    if vv_cap.ndim != 1 or h.ndim != 1 or len(vv_cap) != len(h) + 1:
+        raise errors.ArgumentError(f"{vv_cap.shape} nodes and {h.shape} pieces do not fit")
     if out is None:
-        return w_cap, h, np.empty_like(w_cap)
-    if out.shape != w_cap.shape or out.dtype != real or not out.flags.c_contiguous:
-        raise errors.ArgumentError(f"out must be {real}, contiguous, of shape {w_cap.shape}")
+        return vv_cap, h, np.empty_like(vv_cap)
+    if out.shape != vv_cap.shape or out.dtype != real or not out.flags.c_contiguous:
+        raise errors.ArgumentError(f"out must be {real}, contiguous, of shape {vv_cap.shape}")
     # Chunks read what stands beside them: nothing may be overwritten there before.
-    w_cap = w_cap.copy() if np.may_share_memory(w_cap, out) else w_cap
-    return w_cap, h.copy() if np.may_share_memory(h, out) else h, out
+    vv_cap = vv_cap.copy() if np.may_share_memory(vv_cap, out) else vv_cap
+    return vv_cap, h.copy() if np.may_share_memory(h, out) else h, out
 
 
 def _choice(name, crew, processor):
@@ -131,20 +131,20 @@ def _choice(name, crew, processor):
     return ffi.new("nck_host_choice_t *", choice), known[cpu], crew
 
 
-def _problem(real, w_cap, h, ends):
+def _problem(real, vv_cap, h, ends):
     """Return what an envelope is found for, as C reads it; the arrays must outlive it."""
-    caps, pieces = pointer(real, w_cap), pointer(real, h)
-    return ffi.new(f"nck_host_problem_{real}_t *", [caps, pieces, len(w_cap), *ends])
+    caps, pieces = pointer(real, vv_cap), pointer(real, h)
+    return ffi.new(f"nck_host_problem_{real}_t *", [caps, pieces, len(vv_cap), *ends])
 
 
-def _in_c(real, road, w_cap, h, ends, w):
+def _in_c(real, road, vv_cap, h, ends, vv):
     """Compute on a road of C, as `_choice` takes it. Returns what the report tells."""
     choice, cpu, crew = _choice(*road)
     report = ffi.new("nck_host_envelope_report_t *")
     compute = getattr(lib, f"nck_host_envelope_{real}")
-    status = compute(choice, _problem(real, w_cap, h, ends), pointer(real, w), report)
+    status = compute(choice, _problem(real, vv_cap, h, ends), pointer(real, vv), report)
     if status == lib.NCK_E_ARGUMENT:
-        raise _bad_number(report.bad, w_cap, h, ends)
+        raise _bad_number(report.bad, vv_cap, h, ends)
     check(status)
     counts = ("blocks", "blocks_refused", "chunks_refused", "overlap")
     return {
@@ -154,11 +154,11 @@ def _in_c(real, road, w_cap, h, ends, w):
     }
 
 
-def _on_device(w_cap, h, ends, w):
+def _on_device(vv_cap, h, ends, vv):
     """Compute on an OpenCL device. Returns what the report tells."""
     from pycnc import device
 
-    return {"processor": str(device.envelope(w_cap, h, *ends, w))}
+    return {"processor": str(device.envelope(vv_cap, h, *ends, vv))}
 
 
 def _on_device_or_in_c(choice, real, path):
@@ -173,11 +173,11 @@ def _on_device_or_in_c(choice, real, path):
     return choice, _in_c(real, (choice.backend, None, None), *path)
 
 
-def _bad_number(index, w_cap, h, ends):
+def _bad_number(index, vv_cap, h, ends):
     """Return the error that names the first number that is NaN, infinite or negative."""
-    named = [("w_cap", w_cap[index])]
-    named += [("h", h[index])] if index < len(h) else [("w_end", ends[1])]
-    named += [("w_start", ends[0])] if index == 0 else []
+    named = [("vv_cap", vv_cap[index])]
+    named += [("h", h[index])] if index < len(h) else [("vv_end", ends[1])]
+    named += [("vv_start", ends[0])] if index == 0 else []
     what = next((f"{name} is {x}" for name, x in named if not 0 <= x < np.inf), "a number")
     return errors.ArgumentError(
         f"index {index}: {what}; it must be finite and not negative",
@@ -186,11 +186,11 @@ def _bad_number(index, w_cap, h, ends):
     )
 
 
-def _refuse_bad_numbers(real, w_cap, h, ends):
+def _refuse_bad_numbers(real, vv_cap, h, ends):
     find = getattr(lib, f"nck_host_envelope_bad_{real}")
-    bad = find(_problem(real, w_cap, h, ends))
-    if bad < len(w_cap):
-        raise _bad_number(bad, w_cap, h, ends)
+    bad = find(_problem(real, vv_cap, h, ends))
+    if bad < len(vv_cap):
+        raise _bad_number(bad, vv_cap, h, ends)
 
 
 # The calibration
@@ -216,26 +216,26 @@ def sample(real, n):
         Nodes.
     """
     rng = np.random.default_rng(n)
-    w_cap = np.where(rng.random(n) < 0.1, rng.uniform(0, 1e4, n), 1e4)
+    vv_cap = np.where(rng.random(n) < 0.1, rng.uniform(0, 1e4, n), 1e4)
     h = rng.uniform(500, 1500, max(n - 1, 0))
     kind = {"float": np.float32, "double": np.float64}[real]
-    return w_cap.astype(kind), h.astype(kind)
+    return vv_cap.astype(kind), h.astype(kind)
 
 
-def time_envelope(real, backend, w_cap, h, w, *, seconds, processor=None, threads=None):
+def time_envelope(real, backend, vv_cap, h, vv, *, seconds, processor=None, threads=None):
     """Return the least time of some runs in C [ns], after one that warms up.
 
     Parameters
     ----------
     real : {"float", "double"}
-        Type of the arrays w_cap, h and w, which is filled.
+        Type of the arrays vv_cap, h and vv, which is filled.
     backend : {"c", "simd", "threads"}
     seconds : float
         Repeat for so long, five times at least.
     """
     choice, _, _ = _choice(backend, threads, processor)
     compute = getattr(lib, f"nck_host_measure_{real}")
-    problem, result = _problem(real, w_cap, h, (0.0, 0.0)), pointer(real, w)
+    problem, result = _problem(real, vv_cap, h, (0.0, 0.0)), pointer(real, vv)
     return _least_ns(functools.partial(compute, choice, problem, result), seconds)
 
 
@@ -261,20 +261,20 @@ def _measure(real, backend, n):
     """
     if backend == "opencl" or (backend == "threads" and threads() == 1):
         return None
-    w_cap, h = sample(real, n)
-    return time_envelope(real, backend, w_cap, h, np.empty_like(w_cap), seconds=2e-3) / n
+    vv_cap, h = sample(real, n)
+    return time_envelope(real, backend, vv_cap, h, np.empty_like(vv_cap), seconds=2e-3) / n
 
 
 def _measure_all(real, backend, n):
     """As `_measure`, with the device; None if there is none."""
     if backend != "opencl":
         return _measure(real, backend, n)
-    w_cap, h = sample(real, n)
-    w, best = np.empty_like(w_cap), np.inf
+    vv_cap, h = sample(real, n)
+    vv, best = np.empty_like(vv_cap), np.inf
     try:
         for runs in range(6):
             begun = lib.nck_host_clock_ns()
-            _on_device(w_cap, h, (0.0, 0.0), w)
+            _on_device(vv_cap, h, (0.0, 0.0), vv)
             took = lib.nck_host_clock_ns() - begun
             best = min(best, took) if runs else np.inf  # the first one compiles
     except errors.DeviceError:
@@ -306,19 +306,19 @@ class Keinert:
 
     Attributes
     ----------
-    w : numpy.ndarray
+    vv : numpy.ndarray
         (n,) v² at every node [mm²/s²].
     tasks : numpy.ndarray
         Of dtype ``nck_host_keinert_task_t``, a row for each look-ahead buffer: ``first``,
         ``count``, ``overlap_before``, ``overlap_behind``, ``too_short``, ``dropped``, ``thread``,
         ``entry_ns``, ``exit_ns``.
     certain : numpy.ndarray
-        (n,) False where a task reports a drop: there w may be lower than the exact envelope.
+        (n,) False where a task reports a drop: there vv may be lower than the exact envelope.
     wall_ns : int
         Time of the whole call: tasks, filling of buffers, putting together [ns].
     """
 
-    w: np.ndarray
+    vv: np.ndarray
     tasks: np.ndarray
     certain: np.ndarray
     wall_ns: int
@@ -330,15 +330,15 @@ class Keinert:
 
 
 def keinert(
-    w_cap, h, w_feed, *, w_start=0.0, w_end=0.0, length=300, overlap=(5, 50), threads=None
+    vv_cap, h, vv_feed, *, vv_start=0.0, vv_end=0.0, length=300, overlap=(5, 50), threads=None
 ):
     """Room 4 as Keinert et al. (2014) run it: look-ahead buffers with an overlap, a task for each.
 
     Parameters
     ----------
-    w_cap, h, w_start, w_end
+    vv_cap, h, vv_start, vv_end
         As for `envelope`.
-    w_feed : array_like
+    vv_feed : array_like
         (n − 1,) programmed feed of every block, squared [mm²/s²].
     length : int
         Blocks of a look-ahead buffer, 2 at least.
@@ -364,7 +364,7 @@ def keinert(
     >>> found.dropped, len(found.tasks), int(found.tasks["overlap_behind"].max())
     (0, 4, 13)
     """
-    arrays = [np.ascontiguousarray(each, np.float64) for each in (w_cap, h, w_feed)]
+    arrays = [np.ascontiguousarray(each, np.float64) for each in (vv_cap, h, vv_feed)]
     n = len(arrays[0])
     if n == 0 or any(each.shape != (n - 1,) for each in arrays[1:]):
         raise errors.ArgumentError(f"shapes do not fit: {[each.shape for each in arrays]}")
@@ -376,17 +376,17 @@ def keinert(
     tables = ffi.new("nck_host_keinert_tables_t *")
     tables.rows = pointer("nck_host_keinert_row_t", buffers)
     tables.tasks = pointer("nck_host_keinert_task_t", tasks)
-    problem = _problem("double", *arrays[:2], (w_start, w_end))
-    feeds, w, bad = pointer("double", arrays[2]), np.empty(n), ffi.new("size_t *")
+    problem = _problem("double", *arrays[:2], (vv_start, vv_end))
+    feeds, vv, bad = pointer("double", arrays[2]), np.empty(n), ffi.new("size_t *")
     begun = lib.nck_host_clock_ns()
-    status = lib.nck_host_keinert(settings, problem, feeds, tables, pointer("double", w), bad)
+    status = lib.nck_host_keinert(settings, problem, feeds, tables, pointer("double", vv), bad)
     wall_ns = lib.nck_host_clock_ns() - begun
     if status == lib.NCK_E_ARGUMENT:
         raise errors.ArgumentError(
             f"index {bad[0]}: a number is NaN, infinite or negative", id="argument", status=status
         )
     check(status)
-    return Keinert(w, tasks, _certain(tasks, buffers), wall_ns)
+    return Keinert(vv, tasks, _certain(tasks, buffers), wall_ns)
 
 
 def _keinert_settings(length, overlap, crew):
@@ -403,7 +403,7 @@ def _keinert_settings(length, overlap, crew):
 def _certain(tasks, buffers):
     """Return for every node whether its task was certain of it."""
     certain = [
-        rows["w"][before : before + count] == rows["w_most"][before : before + count]
+        rows["vv"][before : before + count] == rows["vv_most"][before : before + count]
         for rows, before, count in zip(
             buffers, tasks["overlap_before"], tasks["count"], strict=True
         )

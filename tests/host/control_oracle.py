@@ -28,17 +28,17 @@ def trapezoid(length, a, v0, v1, most):
 
 def _passes(lines, caps):
     """Speeds squared at all junctions: as fast as the caps and both passes let them be."""
-    w = [0.0, *caps, 0.0]
+    vv = [0.0, *caps, 0.0]
     for k in range(len(lines) - 1, -1, -1):
-        w[k] = min(w[k], w[k + 1] + 2 * lines[k]["a"] * lines[k]["length"])
+        vv[k] = min(vv[k], vv[k + 1] + 2 * lines[k]["a"] * lines[k]["length"])
     for k, line in enumerate(lines):
-        w[k + 1] = min(w[k + 1], w[k] + 2 * line["a"] * line["length"])
-    return w
+        vv[k + 1] = min(vv[k + 1], vv[k] + 2 * line["a"] * line["length"])
+    return vv
 
 
-def _time(lines, w):
+def _time(lines, vv):
     return sum(
-        trapezoid(line["length"], line["a"], math.sqrt(w[k]), math.sqrt(w[k + 1]), line["v"])
+        trapezoid(line["length"], line["a"], math.sqrt(vv[k]), math.sqrt(vv[k + 1]), line["v"])
         for k, line in enumerate(lines)
     )
 

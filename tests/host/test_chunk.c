@@ -7,7 +7,7 @@
 enum { NODES = 6000 };
 
 typedef struct path {
-    double w_cap[NODES], h[NODES], w_backward[NODES], w[NODES];
+    double vv_cap[NODES], h[NODES], vv_backward[NODES], vv[NODES];
 } path_t;
 
 static uint32_t next_random(uint32_t *state) {
@@ -20,15 +20,15 @@ static void fill(path_t *path, double h) {
     uint32_t state = 7;
     for (int i = 0; i < NODES; i++) {
         const double share = (double)next_random(&state) / 16777216.0;
-        path->w_cap[i] = next_random(&state) % 50 == 0 ? share : 50.0 + 50.0 * share;
+        path->vv_cap[i] = next_random(&state) % 50 == 0 ? share : 50.0 + 50.0 * share;
         path->h[i] = h * (0.5 + share);
     }
-    nck_chunk_whole(path->w_cap, path->h, NODES, 3.0, 2.0, path->w);
-    double w = nck_min(path->w_cap[NODES - 1], 2.0);
-    path->w_backward[NODES - 1] = w;
+    nck_chunk_whole(path->vv_cap, path->h, NODES, 3.0, 2.0, path->vv);
+    double vv = nck_min(path->vv_cap[NODES - 1], 2.0);
+    path->vv_backward[NODES - 1] = vv;
     for (int i = NODES - 1; i-- > 0;) {
-        w = nck_envelope_backward(path->w_cap[i], w, path->h[i]);
-        path->w_backward[i] = w;
+        vv = nck_envelope_backward(path->vv_cap[i], vv, path->h[i]);
+        path->vv_backward[i] = vv;
     }
 }
 
@@ -39,16 +39,16 @@ static void what_is_certain_has_the_bits_of_the_whole_path(check_t *check) {
     static double scratch[NCK_CHUNK_OVERLAP_MAX + 1];
     fill(&path, 1.0);
     for (int p = 0; p < NODES; p += 7) {
-        double w = -1.0;
-        CHECK(check, nck_chunk_behind(path.w_cap, path.h, p, NODES - 1,
-                                      path.w_backward[NODES - 1], &w));
-        CHECK(check, is_same(w, path.w_backward[p]));
-        CHECK(check, nck_chunk_before(path.w_backward, path.h, 0, p, path.w[0], &w));
-        CHECK(check, is_same(w, path.w[p]));
+        double vv = -1.0;
+        CHECK(check, nck_chunk_behind(path.vv_cap, path.h, p, NODES - 1,
+                                      path.vv_backward[NODES - 1], &vv));
+        CHECK(check, is_same(vv, path.vv_backward[p]));
+        CHECK(check, nck_chunk_before(path.vv_backward, path.h, 0, p, path.vv[0], &vv));
+        CHECK(check, is_same(vv, path.vv[p]));
         if (p + 1 == NODES) continue;
-        w = path.w_backward[p + 1];
-        CHECK(check, nck_chunk_enter(path.w_cap, path.h, p, 3.0, scratch, &w));
-        CHECK(check, is_same(w, path.w[p]));
+        vv = path.vv_backward[p + 1];
+        CHECK(check, nck_chunk_enter(path.vv_cap, path.h, p, 3.0, scratch, &vv));
+        CHECK(check, is_same(vv, path.vv[p]));
     }
 }
 
@@ -58,12 +58,12 @@ static void doubt_is_told_where_pieces_are_too_short(check_t *check) {
     volatile nck_int64 middle = NODES / 2; // gcc 12 warns of loops that it would never enter
     const nck_int64 p = middle;
     fill(&path, 1e-4);
-    for (int i = 0; i < NODES; i++) path.w_cap[i] = 1e6;
-    double w = 1e5;
-    CHECK(check, !nck_chunk_behind(path.w_cap, path.h, p, NODES - 1, 2.0, &w));
-    w = 1e5;
-    CHECK(check, !nck_chunk_enter(path.w_cap, path.h, p, 3.0, scratch, &w));
-    CHECK(check, !nck_chunk_before(path.w_cap, path.h, 0, p, 3.0, &w));
+    for (int i = 0; i < NODES; i++) path.vv_cap[i] = 1e6;
+    double vv = 1e5;
+    CHECK(check, !nck_chunk_behind(path.vv_cap, path.h, p, NODES - 1, 2.0, &vv));
+    vv = 1e5;
+    CHECK(check, !nck_chunk_enter(path.vv_cap, path.h, p, 3.0, scratch, &vv));
+    CHECK(check, !nck_chunk_before(path.vv_cap, path.h, 0, p, 3.0, &vv));
 }
 
 static void parts_cover_the_path_once(check_t *check) {

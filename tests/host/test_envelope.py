@@ -24,70 +24,70 @@ profile = st.integers(1, 40).flatmap(
 )
 
 
-def two_passes(w_cap, h, w_start=np.inf, w_end=np.inf):
+def two_passes(vv_cap, h, vv_start=np.inf, vv_end=np.inf):
     """Return the envelope by its definition, one Python float after the other."""
-    w = [float(each) for each in w_cap]
+    vv = [float(each) for each in vv_cap]
     h = [float(each) for each in h]
-    w[-1] = min(w[-1], w_end)
+    vv[-1] = min(vv[-1], vv_end)
     for i in range(len(h) - 1, -1, -1):
-        w[i] = min(w[i], w[i + 1] + h[i])
-    w[0] = min(w[0], w_start)
+        vv[i] = min(vv[i], vv[i + 1] + h[i])
+    vv[0] = min(vv[0], vv_start)
     for i in range(len(h)):
-        w[i + 1] = min(w[i + 1], w[i] + h[i])
-    return np.array(w)
+        vv[i + 1] = min(vv[i + 1], vv[i] + h[i])
+    return np.array(vv)
 
 
-def fixpoint(w_cap, h):
+def fixpoint(vv_cap, h):
     """Return the largest profile by brute force: lower what breaks a rule until nothing does."""
-    w = np.array(w_cap, float)
+    vv = np.array(vv_cap, float)
     while True:
-        lower = w.copy()
-        lower[:-1] = np.minimum(lower[:-1], w[1:] + h)
-        lower[1:] = np.minimum(lower[1:], w[:-1] + h)
-        if (lower == w).all():
-            return w
-        w = lower
+        lower = vv.copy()
+        lower[:-1] = np.minimum(lower[:-1], vv[1:] + h)
+        lower[1:] = np.minimum(lower[1:], vv[:-1] + h)
+        if (lower == vv).all():
+            return vv
+        vv = lower
 
 
 def random_profile(n, seed, rare):
     """Return caps and pieces; rare: the share of low caps, few of them make long ramps."""
     rng = np.random.default_rng(seed)
-    w_cap = np.where(rng.random(n) < rare, rng.uniform(0, 10, n), rng.uniform(1e3, 1e4, n))
-    return w_cap, rng.uniform(0.1, 5, n - 1)
+    vv_cap = np.where(rng.random(n) < rare, rng.uniform(0, 10, n), rng.uniform(1e3, 1e4, n))
+    return vv_cap, rng.uniform(0.1, 5, n - 1)
 
 
 @given(profile)
 def test_the_envelope_is_the_largest_that_keeps_every_rule(case):
-    w_cap, h = np.array(case[0]), np.array(case[1])
-    w = stages.envelope(w_cap, h, w_start=1e9, w_end=1e9)
-    assert (w <= w_cap).all()
-    assert (w[1:] <= w[:-1] + h).all()
-    assert (w[:-1] <= w[1:] + h).all()
-    assert (w == fixpoint(w_cap, h)).all()
+    vv_cap, h = np.array(case[0]), np.array(case[1])
+    vv = stages.envelope(vv_cap, h, vv_start=1e9, vv_end=1e9)
+    assert (vv <= vv_cap).all()
+    assert (vv[1:] <= vv[:-1] + h).all()
+    assert (vv[:-1] <= vv[1:] + h).all()
+    assert (vv == fixpoint(vv_cap, h)).all()
 
 
 @given(profile, square, square)
-def test_the_ends_are_kept(case, w_start, w_end):
-    w_cap, h = np.array(case[0]), np.array(case[1])
-    w = stages.envelope(w_cap, h, w_start=w_start, w_end=w_end)
-    assert w[0] <= w_start
-    assert w[-1] <= w_end
-    assert (w == two_passes(w_cap, h, w_start, w_end)).all()
+def test_the_ends_are_kept(case, vv_start, vv_end):
+    vv_cap, h = np.array(case[0]), np.array(case[1])
+    vv = stages.envelope(vv_cap, h, vv_start=vv_start, vv_end=vv_end)
+    assert vv[0] <= vv_start
+    assert vv[-1] <= vv_end
+    assert (vv == two_passes(vv_cap, h, vv_start, vv_end)).all()
 
 
 @pytest.mark.parametrize("rare", [0.5, 0.01, 0.0005, 0])
 @pytest.mark.parametrize("n", [1, 2, BLOCK - 1, BLOCK, BLOCK + 1, BLOCK + 2, 5 * BLOCK + 77])
 def test_lanes_give_the_bits_of_the_plain_recurrence(n, rare):
-    w_cap, h = random_profile(n, seed=n, rare=rare)
-    w = stages.envelope(w_cap, h)
-    assert w.tobytes() == two_passes(w_cap, h, 0.0, 0.0).tobytes()
+    vv_cap, h = random_profile(n, seed=n, rare=rare)
+    vv = stages.envelope(vv_cap, h)
+    assert vv.tobytes() == two_passes(vv_cap, h, 0.0, 0.0).tobytes()
 
 
 def test_caps_may_be_replaced_in_place():
-    w_cap, h = random_profile(3 * BLOCK, seed=1, rare=0.001)
-    want = stages.envelope(w_cap, h)
-    stages.envelope(w_cap, h, out=w_cap)
-    assert (w_cap == want).all()
+    vv_cap, h = random_profile(3 * BLOCK, seed=1, rare=0.001)
+    want = stages.envelope(vv_cap, h)
+    stages.envelope(vv_cap, h, out=vv_cap)
+    assert (vv_cap == want).all()
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -1.0])
@@ -103,9 +103,9 @@ def test_a_bad_number_is_named_by_its_index(bad, place, which):
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -1.0])
 def test_bad_ends_are_refused(bad):
     with pytest.raises(ArgumentError):
-        stages.envelope([1.0, 1.0], [1.0], w_start=bad)
+        stages.envelope([1.0, 1.0], [1.0], vv_start=bad)
     with pytest.raises(ArgumentError):
-        stages.envelope([1.0, 1.0], [1.0], w_end=bad)
+        stages.envelope([1.0, 1.0], [1.0], vv_end=bad)
 
 
 # The window of the kernel
@@ -113,8 +113,8 @@ def test_bad_ends_are_refused(bad):
 
 def whole_path(nodes):
     """Return the envelope of all nodes of a plan, in one piece."""
-    w_cap = np.append(nodes["vv_cap"], 0.0)
-    return stages.envelope(w_cap, 2.0 * nodes["a"] * nodes["length"])[:-1]
+    vv_cap = np.append(nodes["vv_cap"], 0.0)
+    return stages.envelope(vv_cap, 2.0 * nodes["a"] * nodes["length"])[:-1]
 
 
 @pytest.mark.parametrize("name", CASES)

@@ -15,11 +15,11 @@ ACCELERATION = 1000.0
 
 
 def surface(n, step_mm, corners, seed=0):
-    """Return (w_cap, h, w_feed) of a path of short blocks, some of their junctions corners."""
+    """Return (vv_cap, h, vv_feed) of a path of short blocks, some of their junctions corners."""
     rng = np.random.default_rng([n, seed])
-    w_cap = np.where(rng.random(n) < corners, rng.uniform(0, FEED**2, n), FEED**2)
+    vv_cap = np.where(rng.random(n) < corners, rng.uniform(0, FEED**2, n), FEED**2)
     h = 2 * ACCELERATION * rng.uniform(0.5 * step_mm, 1.5 * step_mm, n - 1)
-    return w_cap, h, np.full(n - 1, FEED**2)
+    return vv_cap, h, np.full(n - 1, FEED**2)
 
 
 def test_the_profile_is_the_serial_one_if_the_overlap_suffices():
@@ -28,7 +28,7 @@ def test_the_profile_is_the_serial_one_if_the_overlap_suffices():
     assert found.dropped == 0
     assert not found.tasks["too_short"].any()
     assert found.certain.all()
-    assert (found.w == stages.envelope(*path[:2])).all()
+    assert (found.vv == stages.envelope(*path[:2])).all()
 
 
 def test_the_overlap_is_as_long_as_the_way_to_the_feed():
@@ -58,10 +58,10 @@ def test_an_overlap_that_is_too_short_drops_and_says_where():
     path = surface(10_000, 0.01, 0.0005)
     want = stages.envelope(*path[:2])
     found = stages.keinert(*path)
-    lower = found.w < want
+    lower = found.vv < want
     assert lower.any()
     assert not (lower & found.certain).any()
-    assert (found.w <= want).all()
+    assert (found.vv <= want).all()
     assert found.dropped == (~found.certain).sum() >= lower.sum()
     by_task = np.add.reduceat(~found.certain, found.tasks["first"].astype(int))
     assert (found.tasks["dropped"] == by_task).all()
@@ -74,20 +74,20 @@ settings = st.fixed_dictionaries(
         "length": st.integers(2, 12),
         "overlap": st.tuples(st.integers(0, 4), st.integers(4, 9)),
         "threads": st.integers(1, 3),
-        "w_start": cap,
-        "w_end": cap,
+        "vv_start": cap,
+        "vv_end": cap,
     }
 )
 
 
 @given(cap, st.lists(block, max_size=40), settings)
 def test_the_profile_is_never_above_and_equal_where_certain(last, blocks, chosen):
-    w_cap, h, w_feed = np.array(blocks).reshape(-1, 3).T
-    w_cap = np.append(w_cap, last)
-    found = stages.keinert(w_cap, h, w_feed, **chosen)
-    want = stages.envelope(w_cap, h, w_start=chosen["w_start"], w_end=chosen["w_end"])
-    assert (found.w <= want).all()
-    assert (found.w == want)[found.certain].all()
+    vv_cap, h, vv_feed = np.array(blocks).reshape(-1, 3).T
+    vv_cap = np.append(vv_cap, last)
+    found = stages.keinert(vv_cap, h, vv_feed, **chosen)
+    want = stages.envelope(vv_cap, h, vv_start=chosen["vv_start"], vv_end=chosen["vv_end"])
+    assert (found.vv <= want).all()
+    assert (found.vv == want)[found.certain].all()
 
 
 def test_the_tasks_share_all_blocks_out():
@@ -132,7 +132,7 @@ def test_settings_out_of_range_are_refused(wrong):
 
 
 def test_arrays_that_do_not_fit_are_refused():
-    w_cap, h, w_feed = surface(100, 0.5, 0.1)
-    for arrays in ((w_cap[1:], h, w_feed), (w_cap, h, w_feed[1:]), ([], [], [])):
+    vv_cap, h, vv_feed = surface(100, 0.5, 0.1)
+    for arrays in ((vv_cap[1:], h, vv_feed), (vv_cap, h, vv_feed[1:]), ([], [], [])):
         with pytest.raises(errors.ArgumentError, match="fit"):
             stages.keinert(*arrays)

@@ -157,8 +157,8 @@ def test_linear_slope_over_the_whole_path_is_the_exact_envelope():
     length, v_node = random.uniform(0.01, 2, 500), random.uniform(0, 10, 501)
     v_node[[0, -1]] = 0
     profile = stages.slope(length, 10, 25, None, v_node, kind="linear")
-    w = stages.envelope(v_node**2, 2 * 25 * length, w_start=0, w_end=0)
-    assert profile.v_node == pytest.approx(np.sqrt(w), rel=1e-12)
+    vv = stages.envelope(v_node**2, 2 * 25 * length, vv_start=0, vv_end=0)
+    assert profile.v_node == pytest.approx(np.sqrt(vv), rel=1e-12)
 
 
 @pytest.mark.parametrize(

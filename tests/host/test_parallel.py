@@ -48,24 +48,24 @@ def family(name, n, real, seed=0):
     """Return caps and pieces of a named family."""
     share, low, high, h_from, h_to = FAMILIES[name]
     rng = np.random.default_rng([n, seed])
-    w_cap = np.where(rng.random(n) < share, rng.uniform(0, low, n), high)
-    return w_cap.astype(REALS[real]), rng.uniform(h_from, h_to, n - 1).astype(REALS[real])
+    vv_cap = np.where(rng.random(n) < share, rng.uniform(0, low, n), high)
+    return vv_cap.astype(REALS[real]), rng.uniform(h_from, h_to, n - 1).astype(REALS[real])
 
 
-def recurrence(w_cap, h, w_start, w_end):
+def recurrence(vv_cap, h, vv_start, vv_end):
     """Return the envelope by its definition, one number after the other."""
-    w = list(w_cap)
-    w[-1] = min(w[-1], type(w[-1])(w_end))
+    vv = list(vv_cap)
+    vv[-1] = min(vv[-1], type(vv[-1])(vv_end))
     for i in range(len(h) - 1, -1, -1):
-        w[i] = min(w[i], w[i + 1] + h[i])
-    w[0] = min(w[0], type(w[0])(w_start))
+        vv[i] = min(vv[i], vv[i + 1] + h[i])
+    vv[0] = min(vv[0], type(vv[0])(vv_start))
     for i in range(len(h)):
-        w[i + 1] = min(w[i + 1], w[i] + h[i])
-    return np.array(w, w_cap.dtype)
+        vv[i + 1] = min(vv[i + 1], vv[i] + h[i])
+    return np.array(vv, vv_cap.dtype)
 
 
-def serial(w_cap, h, **ends):
-    return stages.envelope(w_cap, h, backend="c", **ends)
+def serial(vv_cap, h, **ends):
+    return stages.envelope(vv_cap, h, backend="c", **ends)
 
 
 # Equal bits
@@ -74,10 +74,10 @@ def serial(w_cap, h, **ends):
 @pytest.mark.parametrize("real", REALS)
 @pytest.mark.parametrize("name", FAMILIES)
 def test_serial_c_is_the_recurrence(name, real):
-    w_cap, h = family(name, 700, real)
-    w = serial(w_cap, h, w_start=50.0, w_end=9.5)
-    assert w.dtype == REALS[real]
-    assert w.tobytes() == recurrence(w_cap, h, 50.0, 9.5).tobytes()
+    vv_cap, h = family(name, 700, real)
+    vv = serial(vv_cap, h, vv_start=50.0, vv_end=9.5)
+    assert vv.dtype == REALS[real]
+    assert vv.tobytes() == recurrence(vv_cap, h, 50.0, 9.5).tobytes()
 
 
 @pytest.mark.sample(quick=24)
@@ -86,10 +86,10 @@ def test_serial_c_is_the_recurrence(name, real):
 @pytest.mark.parametrize("name", FAMILIES)
 def test_every_road_gives_the_bits_of_the_serial_one(name, real, road):
     for n in SIZES:
-        w_cap, h = family(name, n, real)
-        want = serial(w_cap, h, w_start=77.0, w_end=1e4)
-        w = stages.envelope(w_cap, h, w_start=77.0, w_end=1e4, **ROADS[road])
-        assert w.tobytes() == want.tobytes(), f"{n} nodes"
+        vv_cap, h = family(name, n, real)
+        want = serial(vv_cap, h, vv_start=77.0, vv_end=1e4)
+        vv = stages.envelope(vv_cap, h, vv_start=77.0, vv_end=1e4, **ROADS[road])
+        assert vv.tobytes() == want.tobytes(), f"{n} nodes"
 
 
 number = st.one_of(
@@ -108,12 +108,12 @@ pattern = st.tuples(
 @given(pattern, number, number)
 @example(([0.0, -0.0], [-0.0, 0.0], 5000, "float", "simd plain"), -0.0, 0.0)
 @example(([1e30], [-0.0], 5000, "double", "simd plain"), 1.0, -0.0)
-def test_random_patterns_give_the_bits_of_the_serial_road(case, w_start, w_end):
+def test_random_patterns_give_the_bits_of_the_serial_road(case, vv_start, vv_end):
     caps, pieces, n, real, road = case
-    w_cap, h = np.resize(caps, n).astype(REALS[real]), np.resize(pieces, n - 1).astype(REALS[real])
-    want = serial(w_cap, h, w_start=w_start, w_end=w_end)
-    w = stages.envelope(w_cap, h, w_start=w_start, w_end=w_end, **ROADS[road])
-    assert w.tobytes() == want.tobytes()
+    vv_cap, h = np.resize(caps, n).astype(REALS[real]), np.resize(pieces, n - 1).astype(REALS[real])
+    want = serial(vv_cap, h, vv_start=vv_start, vv_end=vv_end)
+    vv = stages.envelope(vv_cap, h, vv_start=vv_start, vv_end=vv_end, **ROADS[road])
+    assert vv.tobytes() == want.tobytes()
 
 
 @pytest.mark.sample(8)
@@ -126,32 +126,32 @@ def test_every_road_gives_the_same_bits_on_real_programs(name):
         pytest.skip(f"{name} moves nothing")
     h = (2.0 * nodes["a"] * nodes["length"])[:-1]
     for real in REALS.values():
-        w_cap, pieces = nodes["vv_cap"].astype(real), h.astype(real)
-        want = serial(w_cap, pieces)
+        vv_cap, pieces = nodes["vv_cap"].astype(real), h.astype(real)
+        want = serial(vv_cap, pieces)
         for road in ROADS.values():
-            assert stages.envelope(w_cap, pieces, **road).tobytes() == want.tobytes()
+            assert stages.envelope(vv_cap, pieces, **road).tobytes() == want.tobytes()
     found = stages.keinert(nodes["vv_cap"], h, nodes["vv_piece"][:-1])
     want = serial(nodes["vv_cap"], h)
-    assert (found.w <= want).all()
-    assert (found.w == want)[found.certain].all()
+    assert (found.vv <= want).all()
+    assert (found.vv == want)[found.certain].all()
 
 
 @pytest.mark.parametrize("road", ["serial", *ROADS])
 def test_caps_may_be_replaced_in_place(road):
-    w_cap, h = family("surface", 70_000, "float")
-    want = serial(w_cap, h)
-    stages.envelope(w_cap, h, out=w_cap, **ROADS.get(road, {"backend": "c"}))
-    assert w_cap.tobytes() == want.tobytes()
+    vv_cap, h = family("surface", 70_000, "float")
+    want = serial(vv_cap, h)
+    stages.envelope(vv_cap, h, out=vv_cap, **ROADS.get(road, {"backend": "c"}))
+    assert vv_cap.tobytes() == want.tobytes()
 
 
 @pytest.mark.parametrize("road", ROADS)
 @pytest.mark.parametrize("real", REALS)
 def test_a_path_beyond_the_last_cache_gives_the_same_bits(real, road):
-    w_cap, h = parallel.sample(real, 2_200_000)
-    want = serial(w_cap, h)
-    assert stages.envelope(w_cap, h, **ROADS[road]).tobytes() == want.tobytes()
-    stages.envelope(w_cap, h, out=w_cap, **ROADS[road])
-    assert w_cap.tobytes() == want.tobytes()
+    vv_cap, h = parallel.sample(real, 2_200_000)
+    want = serial(vv_cap, h)
+    assert stages.envelope(vv_cap, h, **ROADS[road]).tobytes() == want.tobytes()
+    stages.envelope(vv_cap, h, out=vv_cap, **ROADS[road])
+    assert vv_cap.tobytes() == want.tobytes()
 
 
 # The certificate and the fallback
@@ -169,23 +169,23 @@ def test_lanes_are_used_where_overlaps_are_certain(real):
 @pytest.mark.parametrize("road", ROADS)
 @pytest.mark.parametrize("real", REALS)
 def test_a_path_that_no_overlap_can_split_falls_back_and_says_so(real, road):
-    w_cap, h = family("never capped", 100_000, real)
-    w = stages.envelope(w_cap, h, **ROADS[road])
+    vv_cap, h = family("never capped", 100_000, real)
+    vv = stages.envelope(vv_cap, h, **ROADS[road])
     report = dispatch.last_report()
     assert report.blocks_refused > 0
     if road != "threads 1":  # its one chunk has no edge to be certain of
         assert report.chunks_refused > 0
-    assert w.tobytes() == serial(w_cap, h).tobytes()
+    assert vv.tobytes() == serial(vv_cap, h).tobytes()
 
 
 def test_a_ramp_longer_than_a_lane_refuses_blocks_and_not_the_chunk():
-    w_cap, h = np.full(200_000, 1e4, np.float32), np.full(199_999, 6.0, np.float32)
-    w_cap[::4096] = 0
-    w = stages.envelope(w_cap, h, backend="simd")
+    vv_cap, h = np.full(200_000, 1e4, np.float32), np.full(199_999, 6.0, np.float32)
+    vv_cap[::4096] = 0
+    vv = stages.envelope(vv_cap, h, backend="simd")
     report = dispatch.last_report()
     assert report.blocks_refused > 0
     assert report.chunks_refused == 0
-    assert w.tobytes() == serial(w_cap, h).tobytes()
+    assert vv.tobytes() == serial(vv_cap, h).tobytes()
 
 
 # Bad numbers
@@ -199,7 +199,7 @@ def test_a_bad_number_is_named_and_nothing_is_planned(real, road, bad):
     options = ROADS.get(road, {"backend": "c"})
     n = 70_001
     for place in (0, 1, 16_640, 33_281, n - 2):
-        for which, name in enumerate(("w_cap", "h")):
+        for which, name in enumerate(("vv_cap", "h")):
             arrays = family("surface", n, real)
             arrays[which][place] = bad
             arrays[0][n - 1] = np.nan  # a later one, which is not the first
@@ -210,7 +210,7 @@ def test_a_bad_number_is_named_and_nothing_is_planned(real, road, bad):
 
 
 @pytest.mark.parametrize("road", ["serial", *ROADS])
-@pytest.mark.parametrize("end", ["w_start", "w_end"])
+@pytest.mark.parametrize("end", ["vv_start", "vv_end"])
 def test_a_bad_end_is_named(road, end):
     arrays = family("surface", 1000, "double")
     with pytest.raises(errors.ArgumentError, match=f"{end} is nan"):
@@ -218,9 +218,9 @@ def test_a_bad_end_is_named(road, end):
 
 
 def test_arrays_that_do_not_fit_are_refused():
-    for w_cap, h in (([], []), ([1.0], [1.0]), ([[1.0]], []), ([1.0, 1.0], [])):
+    for vv_cap, h in (([], []), ([1.0], [1.0]), ([[1.0]], []), ([1.0, 1.0], [])):
         with pytest.raises(errors.ArgumentError, match="do not fit"):
-            stages.envelope(w_cap, h)
+            stages.envelope(vv_cap, h)
     for out in (np.empty(3), np.empty(2, np.float32), np.empty(4)[::2]):
         with pytest.raises(errors.ArgumentError, match="out must be"):
             stages.envelope([1.0, 1.0], [1.0], out=out)
@@ -313,14 +313,14 @@ def test_auto_goes_on_in_c_with_one_warning(store, monkeypatch):
     monkeypatch.setattr(device, "envelope", broken_device)
     monkeypatch.setitem(COSTS, "opencl", 0.1)
     monkeypatch.setattr(parallel, "_measure", invented)
-    w_cap, h = family("surface", 5000, "float")
+    vv_cap, h = family("surface", 5000, "float")
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
         for _ in range(3):
-            w = stages.envelope(w_cap, h)
-            assert w.tobytes() == serial(w_cap, h).tobytes()
+            vv = stages.envelope(vv_cap, h)
+            assert vv.tobytes() == serial(vv_cap, h).tobytes()
     assert [str(each.message) for each in told] == ["planning goes on in C: the device was lost"]
-    stages.envelope(w_cap, h)
+    stages.envelope(vv_cap, h)
     assert dispatch.last_report().backend == "simd"
     assert "fell back: the device was lost" in dispatch.last_report().why
 
@@ -351,10 +351,10 @@ def test_threads_are_refused_where_they_are_not_built(store, monkeypatch):
 
 def test_a_bad_number_is_named_whatever_the_device_says(store, monkeypatch):
     monkeypatch.setattr(device, "envelope", broken_device)
-    w_cap, h = family("surface", 5000, "float")
+    vv_cap, h = family("surface", 5000, "float")
     h[99] = np.nan
     with pytest.raises(errors.ArgumentError, match="index 99: h is nan"):
-        stages.envelope(w_cap, h, backend="opencl")
+        stages.envelope(vv_cap, h, backend="opencl")
 
 
 def test_the_examples_in_the_docstrings_run():

@@ -163,7 +163,7 @@ def test_the_envelope_is_the_two_passes_in_this_order():
     for i in range(998):
         want[i + 1] = min(want[i + 1], want[i] + h[i])
     out = np.empty(999)
-    assert stages.envelope(cap, h, w_start=2.0, w_end=3.0, out=out) is out
+    assert stages.envelope(cap, h, vv_start=2.0, vv_end=3.0, out=out) is out
     assert np.array_equal(out, want)
 
 

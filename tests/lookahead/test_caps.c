@@ -178,16 +178,16 @@ static double reachable[NODES];
 
 static void find_reachable(void)
 {
-    double w = 0.0;
+    double vv = 0.0;
     for (uint32_t i = 0; i < node_count; i++) {
         const double cap = speed_at(&nodes[i], 1.0) * speed_at(&nodes[i], 1.0);
-        w = fmin(fmin(w, cap) + 2.0 * nodes[i].a * nodes[i].length, cap);
-        reachable[i] = w;
+        vv = fmin(fmin(vv, cap) + 2.0 * nodes[i].a * nodes[i].length, cap);
+        reachable[i] = vv;
     }
-    w = 0.0;
+    vv = 0.0;
     for (uint32_t i = node_count; i-- > 0;) {
-        w = fmin(w + 2.0 * nodes[i].a * nodes[i].length, reachable[i]);
-        reachable[i] = sqrt(w);
+        vv = fmin(vv + 2.0 * nodes[i].a * nodes[i].length, reachable[i]);
+        reachable[i] = sqrt(vv);
     }
 }
 

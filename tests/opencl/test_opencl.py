@@ -50,26 +50,26 @@ def kernel(request):
     "n", [1, 2, 3, *(PART_MIN + k for k in (-1, 0, 1, 15, 16, 17)), 8336, 8337, 8353, 40_000]
 )
 def test_a_device_gives_the_bits_of_c(home, kernel, n, rare, real):
-    w_cap, h = random_path(n, n, rare, real)
-    want = by_c(w_cap, h, 50.0, 20.0)
-    assert on_device(home, w_cap, h, 50.0, 20.0, kernel=kernel).tobytes() == want.tobytes()
+    vv_cap, h = random_path(n, n, rare, real)
+    want = by_c(vv_cap, h, 50.0, 20.0)
+    assert on_device(home, vv_cap, h, 50.0, 20.0, kernel=kernel).tobytes() == want.tobytes()
 
 
 @given(st.integers(1, 30_000), st.integers(1, 9), st.integers(0, 99), st.sampled_from(REALS),
        st.sampled_from(launch.KERNELS))  # fmt: skip
 @examples(100)
 def test_the_bits_do_not_depend_on_the_parts(n, count, seed, real, kernel):
-    w_cap, h = random_path(n, seed, 0.02, real, h=(10.0, 300.0))
-    got = on_device("basic", w_cap, h, 9.0, 4.0, count=count, kernel=kernel)
-    assert got.tobytes() == by_c(w_cap, h, 9.0, 4.0).tobytes()
+    vv_cap, h = random_path(n, seed, 0.02, real, h=(10.0, 300.0))
+    got = on_device("basic", vv_cap, h, 9.0, 4.0, count=count, kernel=kernel)
+    assert got.tobytes() == by_c(vv_cap, h, 9.0, 4.0).tobytes()
 
 
 @pytest.mark.parametrize("real", REALS)
 @pytest.mark.parametrize("edge", [-1, 0, 1])
 @pytest.mark.parametrize("count", [2, 3, 7])
 def test_edges_of_parts_do_not_show(home, count, edge, real):
-    w_cap, h = random_path(count * PART_MIN + edge, 5, 0.01, real)
-    assert on_device(home, w_cap, h, count=count).tobytes() == by_c(w_cap, h).tobytes()
+    vv_cap, h = random_path(count * PART_MIN + edge, 5, 0.01, real)
+    assert on_device(home, vv_cap, h, count=count).tobytes() == by_c(vv_cap, h).tobytes()
 
 
 # a = 1000 mm/s², caps to (100 mm/s)²
@@ -77,18 +77,18 @@ def test_edges_of_parts_do_not_show(home, count, edge, real):
 @pytest.mark.parametrize("length", [0.005, 0.05, 1.0, 50.0])
 def test_short_and_long_segments(home, kernel, length, real):
     n = 30_000
-    w_cap, _ = random_path(n, 11, 0.01, real)
+    vv_cap, _ = random_path(n, 11, 0.01, real)
     h = np.full(n - 1, 2 * 1000 * length, real)
-    assert on_device(home, w_cap, h, kernel=kernel).tobytes() == by_c(w_cap, h).tobytes()
+    assert on_device(home, vv_cap, h, kernel=kernel).tobytes() == by_c(vv_cap, h).tobytes()
 
 
 @pytest.mark.parametrize("real", REALS)
 def test_all_capped_and_wide_open_paths(home, kernel, real):
-    w_cap, h = random_path(20_000, 3, 0.1, real)
+    vv_cap, h = random_path(20_000, 3, 0.1, real)
     steep = np.full_like(h, 1e9)
-    got = on_device(home, w_cap, steep, 1e9, 1e9, kernel=kernel)
-    assert got.tobytes() == w_cap.tobytes()
-    open_cap = np.full_like(w_cap, 1e8)
+    got = on_device(home, vv_cap, steep, 1e9, 1e9, kernel=kernel)
+    assert got.tobytes() == vv_cap.tobytes()
+    open_cap = np.full_like(vv_cap, 1e8)
     want = by_c(open_cap, h)
     with pytest.raises(DeviceError) as caught:  # no cap is ever met: no overlap can be certain
         on_device(home, open_cap, h, count=2, kernel=kernel)
@@ -104,11 +104,11 @@ def test_all_capped_and_wide_open_paths(home, kernel, real):
 def test_doubt_is_raised_and_never_a_wrong_profile(kernel, real, count):
     told = set()
     for length in (2e-5, 5e-4, 1e-3, 2e-3, 0.01):  # braking from 100 mm/s takes 5 mm
-        w_cap, _ = random_path(30_000, 2, 0.002, real)
-        h = np.full(len(w_cap) - 1, 2000 * length, real)
+        vv_cap, _ = random_path(30_000, 2, 0.002, real)
+        h = np.full(len(vv_cap) - 1, 2000 * length, real)
         try:
-            got = on_device("basic", w_cap, h, count=count, kernel=kernel)
-            assert got.tobytes() == by_c(w_cap, h).tobytes()
+            got = on_device("basic", vv_cap, h, count=count, kernel=kernel)
+            assert got.tobytes() == by_c(vv_cap, h).tobytes()
             told.add("certain")
         except DeviceError as error:
             told.add(error.id)
@@ -121,8 +121,8 @@ def test_doubt_is_raised_and_never_a_wrong_profile(kernel, real, count):
 @pytest.mark.parametrize("step", [1, -1])
 def test_doubt_in_one_direction_alone_is_told(home, kernel, real, step):
     h = np.exp(np.arange(8999) / 900)
-    w_cap = 1.1 * np.cumsum(np.append(1.0, h))
-    path = (np.ascontiguousarray(each[::step], real) for each in (w_cap, h))
+    vv_cap = 1.1 * np.cumsum(np.append(1.0, h))
+    path = (np.ascontiguousarray(each[::step], real) for each in (vv_cap, h))
     with pytest.raises(DeviceError) as caught:
         on_device(home, *path, 1e9, 1e9, count=2, kernel=kernel)
     assert caught.value.id == "device-overlap"
@@ -143,21 +143,21 @@ def test_a_bad_number_is_found_wherever_it_stands(kernel, bad, which, place, rea
 
 
 def test_bad_ends_and_bad_caps_of_short_paths_are_found(kernel):
-    w_cap, h = random_path(100, 1, 0.01, np.float64)
+    vv_cap, h = random_path(100, 1, 0.01, np.float64)
     for ends in ((np.nan, 0.0), (0.0, -1.0), (np.inf, 0.0)):
         with pytest.raises(DeviceError, match="NaN"):
-            on_device("basic", w_cap, h, *ends, kernel=kernel)
-    w_cap[-1] = np.nan
+            on_device("basic", vv_cap, h, *ends, kernel=kernel)
+    vv_cap[-1] = np.nan
     with pytest.raises(DeviceError, match="NaN"):
-        on_device("basic", w_cap, h, kernel=kernel)
+        on_device("basic", vv_cap, h, kernel=kernel)
 
 
 def test_arrays_of_any_alignment_and_in_place(kernel):
-    w_cap, h = random_path(9001, 1, 0.01, np.float32)
-    want = by_c(w_cap, h)
+    vv_cap, h = random_path(9001, 1, 0.01, np.float32)
+    want = by_c(vv_cap, h)
     bytes_ = np.zeros(4 * 9001 + 4, np.uint8)
     odd = bytes_[4:].view(np.float32)
-    odd[:] = w_cap
+    odd[:] = vv_cap
     device.envelope(odd, h, 0.0, 0.0, odd, device="basic", kernel=kernel)
     assert odd.tobytes() == want.tobytes()
 
@@ -166,9 +166,9 @@ def test_arrays_of_any_alignment_and_in_place(kernel):
     "shapes", [(0, 0, 0), (3, 3, 3), (3, 2, 2), (3, 1, 3)], ids=lambda shapes: f"{shapes}"
 )
 def test_arrays_that_do_not_fit_are_refused(shapes):
-    w_cap, h, out = (np.ones(max(n, 0)) for n in shapes)
+    vv_cap, h, out = (np.ones(max(n, 0)) for n in shapes)
     with pytest.raises(ArgumentError):
-        device.envelope(w_cap, h, 0.0, 0.0, out)
+        device.envelope(vv_cap, h, 0.0, 0.0, out)
 
 
 def test_number_types_are_not_mixed():
@@ -190,12 +190,12 @@ def test_real_paths_have_the_bits_of_c(kernel, name):
     if len(nodes) == 0:
         pytest.skip("no motion")
     for real in REALS:
-        w_cap = nodes["vv_cap"].astype(real)
+        vv_cap = nodes["vv_cap"].astype(real)
         h = (2.0 * nodes["a"] * nodes["length"]).astype(real)[:-1]
-        want = by_c(w_cap, h)
+        want = by_c(vv_cap, h)
         for home in HOME_DEVICES:
             try:
-                got = on_device(home, w_cap, h, kernel=kernel)
+                got = on_device(home, vv_cap, h, kernel=kernel)
                 assert got.tobytes() == want.tobytes()
             except DeviceError as error:
                 assert error.id == "device-overlap"  # the caller plans by C then
@@ -205,9 +205,9 @@ def test_threads_may_share_a_device(home, kernel):
     paths = [random_path(500 + 10 * k, k, 0.02, np.float64) for k in range(8)]
 
     def planned(path):
-        w = np.empty_like(path[0])
-        device.envelope(*path, 0.0, 0.0, w, device=home, kernel=kernel)
-        return w.tobytes()
+        vv = np.empty_like(path[0])
+        device.envelope(*path, 0.0, 0.0, vv, device=home, kernel=kernel)
+        return vv.tobytes()
 
     with concurrent.futures.ThreadPoolExecutor(4) as crew:
         got = list(crew.map(planned, paths * 50))
@@ -304,8 +304,8 @@ def skip_without_gpu():
 @pytest.mark.parametrize("n", [1, 2, 1000, 100_000, 1_000_000])
 def test_a_gpu_gives_the_bits_of_c(kernel, n, real):
     skip_without_gpu()
-    w_cap, h = random_path(n, 1, 0.02, real)
-    assert on_device("gpu", w_cap, h, kernel=kernel).tobytes() == by_c(w_cap, h).tobytes()
+    vv_cap, h = random_path(n, 1, 0.02, real)
+    assert on_device("gpu", vv_cap, h, kernel=kernel).tobytes() == by_c(vv_cap, h).tobytes()
 
 
 @pytest.mark.parametrize("method", ["scan", "fused", "sweep"])
@@ -357,15 +357,15 @@ def test_a_lost_device_is_an_error_and_is_found_again(monkeypatch):
     def lost(*_):
         raise used.cl.RuntimeError("device lost")
 
-    w_cap, h = random_path(5000, 1, 0.1, np.float64)
+    vv_cap, h = random_path(5000, 1, 0.1, np.float64)
     with monkeypatch.context() as broken:
         broken.setattr(used.cl, "enqueue_nd_range_kernel", lost)
         with pytest.raises(DeviceError, match="device lost") as caught:
-            on_device("basic", w_cap, h)
+            on_device("basic", vv_cap, h)
         with pytest.raises(DeviceError):
             device_grades.bubble(np.ones(9, np.int32), "scan", "basic")
     assert caught.value.id == "device-lost"
-    assert on_device("basic", w_cap, h).tobytes() == by_c(w_cap, h).tobytes()
+    assert on_device("basic", vv_cap, h).tobytes() == by_c(vv_cap, h).tobytes()
 
 
 def in_process(code, **environment):
@@ -423,10 +423,10 @@ used = device.in_use("oclgrind")
 rng = np.random.default_rng(1)
 for real in (np.float32, np.float64):
     for n, count in ((1, 1), (2, 1), (300, 1), (2049, 1), (4200, 2)):
-        w_cap, h = rng.uniform(0, 100, n).astype(real), rng.uniform(1, 30, n - 1).astype(real)
-        w = np.empty(n, real)
+        vv_cap, h = rng.uniform(0, 100, n).astype(real), rng.uniform(1, 30, n - 1).astype(real)
+        vv = np.empty(n, real)
         for kernel in ("parts", "tiles"):
-            device.EnvelopeLaunch(used, w_cap, h, w, count, kernel).run(1.0, 0.0)
+            device.EnvelopeLaunch(used, vv_cap, h, vv, count, kernel).run(1.0, 0.0)
 p = rng.integers(0, 20, 1100).astype(np.int32)
 for method in ("scan", "sweep", "fused"):
     device_grades.bubble(p, method, "oclgrind")

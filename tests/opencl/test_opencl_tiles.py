@@ -25,9 +25,9 @@ TILES = {  # nodes of a tile of envelope_gpu.cl on PoCL
 @pytest.mark.parametrize("count", [1, 2, 5])
 def test_edges_of_tiles_do_not_show(home, count, beside, edge, real):
     n = count * TILES[real] + beside + edge
-    w_cap, h = random_path(n, 7, 0.01, real, h=(10.0, 300.0))
-    got = on_device(home, w_cap, h, 30.0, 5.0, kernel="tiles")
-    assert got.tobytes() == by_c(w_cap, h, 30.0, 5.0).tobytes()
+    vv_cap, h = random_path(n, 7, 0.01, real, h=(10.0, 300.0))
+    got = on_device(home, vv_cap, h, 30.0, 5.0, kernel="tiles")
+    assert got.tobytes() == by_c(vv_cap, h, 30.0, 5.0).tobytes()
 
 
 @pytest.mark.parametrize("local_bytes, group_most", [(32768, 256), (49152, 128), (32768, 64)])
@@ -38,8 +38,8 @@ def test_tiles_are_cut_to_the_local_memory(monkeypatch, local_bytes, group_most,
     assert group <= group_most and run % 2 == 1
     assert 2 * item * (group * run + launch.OVERLAP_ROOM) < local_bytes
     monkeypatch.setattr(launch, "tile_sizes", lambda *_: (group, run))
-    w_cap, h = random_path(9001, 4, 0.01, real)
-    assert on_device("basic", w_cap, h, kernel="tiles").tobytes() == by_c(w_cap, h).tobytes()
+    vv_cap, h = random_path(9001, 4, 0.01, real)
+    assert on_device("basic", vv_cap, h, kernel="tiles").tobytes() == by_c(vv_cap, h).tobytes()
 
 
 def test_the_example_of_the_sizes_runs():
@@ -59,13 +59,13 @@ def test_a_gpu_takes_tiles_and_others_take_parts():
     for used, kernel in ((gpu, "tiles"), (device.choose("basic"), "parts")):
         session = device.Session(device.choose("basic"))
         session.device = used
-        w_cap, h = random_path(5000, 1, 0.01, np.float32)
-        launch = device.EnvelopeLaunch(session, w_cap, h, np.empty_like(w_cap))
+        vv_cap, h = random_path(5000, 1, 0.01, np.float32)
+        launch = device.EnvelopeLaunch(session, vv_cap, h, np.empty_like(vv_cap))
         assert launch.kernel == kernel
         launch.run(0.0, 0.0)
         built = {"tiles": {"envelope_gpu"}, "parts": {"envelope"}}[kernel]
         assert {program for program, _ in session.programs} == built
-        assert launch.out.tobytes() == by_c(w_cap, h).tobytes()
+        assert launch.out.tobytes() == by_c(vv_cap, h).tobytes()
 
 
 def test_a_kernel_that_is_none_is_refused():

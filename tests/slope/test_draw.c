@@ -35,8 +35,8 @@ static void begin(uint32_t standing)
         jerk.h[i] = 1.0;
         jerk.a_max[i] = 1000.0;
         jerk.j_max[i] = 10000.0;
-        jerk.w_cap[i] = 1.0;
-        jerk.w[i] = i == CELLS || standing >> i & 1u ? 0.0 : 1.0;
+        jerk.vv_cap[i] = 1.0;
+        jerk.vv[i] = i == CELLS || standing >> i & 1u ? 0.0 : 1.0;
     }
     nck_link_tail_begin(&link);
 }

@@ -133,15 +133,16 @@ static void plan(check_t *check, int count, double length, double turn)
 // The exact two passes over all nodes at once.
 static void envelope(void)
 {
-    double w = 0.0;
+    double vv = 0.0;
     for (uint32_t i = node_count; i-- > 0;) {
-        w = nck_envelope_backward(nodes[i].vv_cap, w, nck_envelope_h(nodes[i].a, nodes[i].length));
-        whole[i] = w;
+        const double h = nck_envelope_h(nodes[i].a, nodes[i].length);
+        vv = nck_envelope_backward(nodes[i].vv_cap, vv, h);
+        whole[i] = vv;
     }
-    w = 0.0;
+    vv = 0.0;
     for (uint32_t i = 0; i < node_count; i++) {
-        whole[i] = nck_envelope_forward(whole[i], w, 0.0);
-        w = whole[i] + nck_envelope_h(nodes[i].a, nodes[i].length);
+        whole[i] = nck_envelope_forward(whole[i], vv, 0.0);
+        vv = whole[i] + nck_envelope_h(nodes[i].a, nodes[i].length);
     }
 }
 

@@ -10,14 +10,14 @@
 
 enum { CELLS = 300, CASES = 3000, WORK = 27 * CELLS };
 
-// Rule R is met to this share of the acceleration limit: rounding of w over short cells.
+// Rule R is met to this share of the acceleration limit: rounding of vv over short cells.
 #define RULE_TOLERANCE 1e-6
 // The method is near-optimal, not optimal: higher caps may cost so much time. Seen: 2 %.
 #define SLOWER_MOST 0.05
 
 typedef struct ladder {
     nck_profile_t profile;
-    double h[CELLS], w_cap[CELLS + 1], a_max[CELLS], j_max[CELLS], w[CELLS + 1], s[CELLS + 1];
+    double h[CELLS], vv_cap[CELLS + 1], a_max[CELLS], j_max[CELLS], vv[CELLS + 1], s[CELLS + 1];
     double up[CELLS], down[CELLS], e[CELLS + 1], z[CELLS + 1], j[CELLS + 1];
     uint32_t stack[CELLS + 1];
 } ladder_t;
@@ -39,10 +39,10 @@ static void bind(ladder_t *self)
     nck_profile_t *const p = &self->profile;
     memset(p, 0, sizeof *p);
     p->h = self->h;
-    p->w_cap = self->w_cap;
+    p->vv_cap = self->vv_cap;
     p->a_max = self->a_max;
     p->j_max = self->j_max;
-    p->w = self->w;
+    p->vv = self->vv;
     p->s = self->s;
     p->up = self->up;
     p->down = self->down;
@@ -70,14 +70,14 @@ static void draw_ladder(ladder_t *self, uint64_t first_seed)
         if (random_real() < change) cap = 0.5 * pow(200.0, random_real());
         if (random_real() < change) a = 200.0 * pow(10.0, random_real());
         if (random_real() < change) j = 5000.0 * pow(10.0, random_real());
-        const int rests = i > 1 && random_real() < stops && self->w_cap[i - 1] > 0.0;
+        const int rests = i > 1 && random_real() < stops && self->vv_cap[i - 1] > 0.0;
         self->h[i] = cap * p->q_cap * (0.05 + random_real());
-        self->w_cap[i] = rests ? 0.0 : cap * cap;
+        self->vv_cap[i] = rests ? 0.0 : cap * cap;
         self->a_max[i] = a;
         self->j_max[i] = j;
     }
-    self->w_cap[p->n - 1] = fmax(self->w_cap[p->n - 1], 1.0);
-    self->w_cap[p->n] = 0.0;
+    self->vv_cap[p->n - 1] = fmax(self->vv_cap[p->n - 1], 1.0);
+    self->vv_cap[p->n] = 0.0;
 }
 
 static void plan(ladder_t *self, uint32_t budget)
@@ -90,27 +90,27 @@ static void plan(ladder_t *self, uint32_t budget)
 
 static double share_of(const ladder_t *self, uint32_t i)
 {
-    const double v_sum = sqrt(self->w[i]) + sqrt(self->w[i + 1]);
+    const double v_sum = sqrt(self->vv[i]) + sqrt(self->vv[i + 1]);
     const double q_cap = self->profile.q_cap;
     return 0.5 * fmin(q_cap, v_sum > 0.0 ? 2.0 * self->h[i] / v_sum : q_cap);
 }
 
 static double a_of(const ladder_t *self, uint32_t i)
 {
-    return (self->w[i + 1] - self->w[i]) / (2.0 * self->h[i]);
+    return (self->vv[i + 1] - self->vv[i]) / (2.0 * self->h[i]);
 }
 
 // Caps, acceleration, rule R at inner nodes that are passed, rest at the end.
 static int holds(const ladder_t *self)
 {
     const uint32_t n = self->profile.n;
-    int good = self->w[n] == 0.0;
+    int good = self->vv[n] == 0.0;
     for (uint32_t i = 0; i < n; i++) {
         const double a = a_of(self, i);
         const double slack = RULE_TOLERANCE * self->a_max[i];
-        good = good && self->w[i] >= 0.0 && self->w[i] <= self->w_cap[i];
+        good = good && self->vv[i] >= 0.0 && self->vv[i] <= self->vv_cap[i];
         good = good && fabs(a) <= self->a_max[i] + slack;
-        if (i == 0 || !(self->w[i] > 0.0)) continue;
+        if (i == 0 || !(self->vv[i] > 0.0)) continue;
         const double j = fmin(self->j_max[i - 1], self->j_max[i]);
         const double most = j * (share_of(self, i - 1) + share_of(self, i));
         good = good && fabs(a - a_of(self, i - 1)) <= most + slack;
@@ -122,7 +122,7 @@ static double time_of(const ladder_t *self)
 {
     double time = 0.0;
     for (uint32_t i = 0; i < self->profile.n; i++) {
-        time += 2.0 * self->h[i] / (sqrt(self->w[i]) + sqrt(self->w[i + 1]));
+        time += 2.0 * self->h[i] / (sqrt(self->vv[i]) + sqrt(self->vv[i + 1]));
     }
     return time;
 }
@@ -144,20 +144,20 @@ static void move_on(ladder_t *self, uint32_t m)
     const double q = 2.0 * share_of(self, m - 1);
     p->a = a_of(self, m - 1);
     p->q = q;
-    p->v = sqrt(self->w[m]);
+    p->v = sqrt(self->vv[m]);
     p->n -= m;
     p->count = p->n;
     memmove(self->h, self->h + m, p->n * sizeof self->h[0]);
     memmove(self->a_max, self->a_max + m, p->n * sizeof self->h[0]);
     memmove(self->j_max, self->j_max + m, p->n * sizeof self->h[0]);
-    memmove(self->w_cap, self->w_cap + m, (p->n + 1) * sizeof self->h[0]);
+    memmove(self->vv_cap, self->vv_cap + m, (p->n + 1) * sizeof self->h[0]);
 }
 
 static int meets_entry(const ladder_t *self)
 {
     const nck_profile_t *const p = &self->profile;
     const double most = self->j_max[0] * (0.5 * fmin(p->q, p->q_cap) + share_of(self, 0));
-    const int meets_speed = fabs(self->w[0] - p->v * p->v) <= 1e-9 * p->v * p->v;
+    const int meets_speed = fabs(self->vv[0] - p->v * p->v) <= 1e-9 * p->v * p->v;
     return meets_speed && fabs(a_of(self, 0) - p->a) <= most + RULE_TOLERANCE * self->a_max[0];
 }
 
@@ -171,7 +171,7 @@ static void joins_tells_the_truth(check_t *check)
         draw_ladder(&ladder, k);
         plan(&ladder, 1000000);
         const uint32_t m = 1 + (uint32_t)((ladder.profile.n - 2) * random_real());
-        if (!(ladder.w[m] > 0.0) || m + 1 >= ladder.profile.n) continue;
+        if (!(ladder.vv[m] > 0.0) || m + 1 >= ladder.profile.n) continue;
         move_on(&ladder, m);
         if (k % 3 == 0) ladder.profile.a = 1000.0 * (random_real() - 0.5);
         plan(&ladder, 1000000);
@@ -187,16 +187,16 @@ static void joins_tells_the_truth(check_t *check)
 
 static void work_in_small_steps_gives_the_same_bits(check_t *check)
 {
-    static double w[CELLS + 1];
+    static double vv[CELLS + 1];
     const uint32_t budgets[] = {1, 7, 32};
     for (uint64_t k = 0; k < CASES / 10; k++) {
         draw_ladder(&ladder, k);
         plan(&ladder, 1000000);
-        const size_t size = (ladder.profile.n + 1) * sizeof w[0];
-        memcpy(w, ladder.w, size);
+        const size_t size = (ladder.profile.n + 1) * sizeof vv[0];
+        memcpy(vv, ladder.vv, size);
         draw_ladder(&ladder, k);
         plan(&ladder, budgets[k % 3]);
-        CHECK(check, memcmp(w, ladder.w, size) == 0);
+        CHECK(check, memcmp(vv, ladder.vv, size) == 0);
     }
 }
 
@@ -219,7 +219,7 @@ static void higher_caps_are_not_slower(check_t *check)
         plan(&ladder, 1000000);
         const double low = time_of(&ladder);
         draw_ladder(&ladder, k);
-        for (uint32_t i = 0; i < ladder.profile.n; i++) ladder.w_cap[i] *= 1.3;
+        for (uint32_t i = 0; i < ladder.profile.n; i++) ladder.vv_cap[i] *= 1.3;
         plan(&ladder, 1000000);
         worst = fmax(worst, time_of(&ladder) / low - 1.0);
     }
@@ -241,7 +241,7 @@ static void between_rests_the_best_is_near_the_optimum(check_t *check)
             const double from_rest = (double)(i < CELLS / 2 ? i : CELLS - 1 - i);
             const double share = pow(from_rest + 1.0, 3.0) - pow(from_rest, 3.0);
             ladder.h[i] = 0.5 * share / pow(CELLS / 2, 3.0);
-            ladder.w_cap[i] = 1e4;
+            ladder.vv_cap[i] = 1e4;
             ladder.a_max[i] = 1000.0;
             ladder.j_max[i] = 10000.0;
         }

@@ -80,16 +80,16 @@ static void a_line_under_jerk_takes_little_more_than_the_shortest_time(check_t *
 // 2·a·length from any neighbour's. A period with a top or a valley inside costs a part of itself.
 static double shortest_over(const double *length, const double *v, double a)
 {
-    double w[BLOCKS + 1];
+    double vv[BLOCKS + 1];
     double time = 0.0;
-    w[0] = w[BLOCKS] = 0.0;
-    for (int k = 1; k < BLOCKS; k++) w[k] = fmin(v[k - 1] * v[k - 1], v[k] * v[k]);
-    for (int k = 1; k <= BLOCKS; k++) w[k] = fmin(w[k], w[k - 1] + 2.0 * a * length[k - 1]);
-    for (int k = BLOCKS; k-- > 0;) w[k] = fmin(w[k], w[k + 1] + 2.0 * a * length[k]);
+    vv[0] = vv[BLOCKS] = 0.0;
+    for (int k = 1; k < BLOCKS; k++) vv[k] = fmin(v[k - 1] * v[k - 1], v[k] * v[k]);
+    for (int k = 1; k <= BLOCKS; k++) vv[k] = fmin(vv[k], vv[k - 1] + 2.0 * a * length[k - 1]);
+    for (int k = BLOCKS; k-- > 0;) vv[k] = fmin(vv[k], vv[k + 1] + 2.0 * a * length[k]);
     for (int k = 0; k < BLOCKS; k++) {
-        const double top = fmin(v[k] * v[k], 0.5 * (w[k] + w[k + 1]) + a * length[k]);
-        const double ramps = (2.0 * top - w[k] - w[k + 1]) / (2.0 * a);
-        time += (2.0 * sqrt(top) - sqrt(w[k]) - sqrt(w[k + 1])) / a
+        const double top = fmin(v[k] * v[k], 0.5 * (vv[k] + vv[k + 1]) + a * length[k]);
+        const double ramps = (2.0 * top - vv[k] - vv[k + 1]) / (2.0 * a);
+        time += (2.0 * sqrt(top) - sqrt(vv[k]) - sqrt(vv[k + 1])) / a
                 + (length[k] - ramps) / sqrt(top);
     }
     return time;

@@ -5,13 +5,13 @@
 
 #include <stddef.h> // size_t
 
-// A whole path. The arrays are of the variant's number type; w may be w_cap except for threads.
+// A whole path. The arrays are of the variant's number type; vv may be vv_cap except for threads.
 typedef struct envelope_job {
-    const void *w_cap; // n nodes [mm²/s²]
-    const void *h;     // n − 1 pieces [mm²/s²]
-    void *w;           // n nodes
-    size_t n;          // 1 at least
-    double w_start, w_end; // exact in the number type
+    const void *vv_cap; // n nodes [mm²/s²]
+    const void *h;      // n − 1 pieces [mm²/s²]
+    void *vv;           // n nodes
+    size_t n;           // 1 at least
+    double vv_start, vv_end; // exact in the number type
     int threads;       // for threads: 1 at least
 } envelope_job_t;
 

@@ -4,8 +4,8 @@
 //
 //      lane 0       lane 1       lane 2       lane 3
 //   ├────────────┼────────────┼────────────┼────────────┤
-//            ◀──~~~       ◀──~~~       ◀──~~~       ◀───  w behind the block, known
-//   ───▶      ~~~───▶      ~~~───▶      ~~~───▶           w before the block, known
+//            ◀──~~~       ◀──~~~       ◀──~~~       ◀───  v² behind the block, known
+//   ───▶      ~~~───▶      ~~~───▶      ~~~───▶           v² before the block, known
 //
 // What a lane begins with is found by an overlap (~~~): m nodes of the lane beside it, passed
 // once from the least value that is possible there and once from the largest. Rounded addition
@@ -14,10 +14,10 @@
 // docs/parallel.md). A block whose overlaps do not meet within a lane is refused, and planned
 // serially.
 //
-//   w_cap h ─▶ turned ─▶ backward ─▶ desk: lanes of w and h ─▶ forward ─▶ turned back ─▶ w
+//   vv_cap h ─▶ turned ─▶ backward ─▶ desk: lanes of vv and h ─▶ forward ─▶ turned back ─▶ vv
 //
 // Numbers are turned once on their way in and once on their way out; in between they stay in the
-// nearest caches. Numbers are looked at on their way in, before anything is written to w.
+// nearest caches. Numbers are looked at on their way in, before anything is written to vv.
 #ifndef NCK_HOST_ENVELOPE_LANES_H
 #define NCK_HOST_ENVELOPE_LANES_H
 
@@ -40,18 +40,18 @@ enum {
 
 // A stretch of a path, each node with the piece behind it, and what is known beside it.
 typedef struct stretch {
-    const nck_real *w_cap, *h;
-    nck_real *w;
+    const nck_real *vv_cap, *h;
+    nck_real *vv;
     size_t n;             // nodes
-    nck_real w_behind;    // the backward pass' value at the node behind it
-    nck_real w_before;    // the final value at the node before it
+    nck_real vv_behind;   // the backward pass' value at the node behind it
+    nck_real vv_before;   // the final value at the node before it
     nck_real h_before;    // piece between that and the first node
     int more;             // 1: as many nodes follow; they are brought near meanwhile
 } stretch_t;
 
 // What lies between the two passes of a block: number i of WIDTH lanes side by side.
 typedef struct desk {
-    vector_t w[GROUPS][LANE_FULL]; // the backward pass' values
+    vector_t vv[GROUPS][LANE_FULL]; // the backward pass' values
     vector_t h[GROUPS][LANE_FULL];
 } desk_t;
 
@@ -87,13 +87,13 @@ static vector_t gather(const nck_real *x, size_t stride) {
 }
 
 // Pass the first m nodes of WIDTH lanes backwards, from the least and the largest value.
-static void overlap_backward(const nck_real *w_cap, const nck_real *h, size_t lane, size_t m,
+static void overlap_backward(const nck_real *vv_cap, const nck_real *h, size_t lane, size_t m,
                              nck_real *low_out, nck_real *high_out) {
-    vector_t high = gather(w_cap + m - 1, lane); // at the node behind, as good as infinite
+    vector_t high = gather(vv_cap + m - 1, lane); // at the node behind, as good as infinite
     vector_t low = zeros();
     vector_t cap[TILE], piece[TILE];
     for (size_t i = m; i > 0; i -= TILE) {
-        tile_load(w_cap + i - TILE, lane, cap);
+        tile_load(vv_cap + i - TILE, lane, cap);
         tile_load(h + i - TILE, lane, piece);
         for (size_t t = TILE; t-- > 0;) {
             high = vector_step(cap[t], high, piece[t]);
@@ -108,13 +108,13 @@ static void overlap_backward(const nck_real *w_cap, const nck_real *h, size_t la
 static void overlap_forward(const desk_t *desk, size_t lane, size_t m, nck_real *low_out,
                             nck_real *high_out) {
     for (size_t g = 0; g < GROUPS; g++) {
-        const vector_t *const w = desk->w[g];
+        const vector_t *const vv = desk->vv[g];
         const vector_t *const h = desk->h[g];
-        vector_t high = w[lane - m];
+        vector_t high = vv[lane - m];
         vector_t low = vector_step(high, zeros(), zeros());
         for (size_t i = lane - m + 1; i < lane; i++) {
-            high = vector_step(w[i], high, h[i - 1]);
-            low = vector_step(w[i], low, h[i - 1]);
+            high = vector_step(vv[i], high, h[i - 1]);
+            low = vector_step(vv[i], low, h[i - 1]);
         }
         vector_store(low, low_out + g * WIDTH);
         vector_store(high, high_out + g * WIDTH);
@@ -146,21 +146,21 @@ static void overlap_learn(overlap_t *overlap) {
     if (overlap->fore >= 2 * TILE) overlap->fore = overlap->fore / 2 / TILE * TILE;
 }
 
-// 1 and in w_next[k] what lane k begins with, or 0 if the block is to be planned serially.
+// 1 and in vv_next[k] what lane k begins with, or 0 if the block is to be planned serially.
 static int backward_entry(const stretch_t *block, size_t lane, overlap_t *overlap,
-                          nck_real *w_next) {
-    const nck_real *const w_cap = block->w_cap;
+                          nck_real *vv_next) {
+    const nck_real *const vv_cap = block->vv_cap;
     const nck_real *const h = block->h;
     nck_real low[LANES], high[LANES];
-    w_next[LANES - 1] = block->w_behind;
+    vv_next[LANES - 1] = block->vv_behind;
     for (size_t m = overlap->back < lane ? overlap->back : lane; m > 0;
          m = overlap_next(m, lane)) {
         for (size_t k = 0; k < LANES; k += WIDTH) {
-            overlap_backward(w_cap + k * lane, h + k * lane, lane, m, low + k, high + k);
+            overlap_backward(vv_cap + k * lane, h + k * lane, lane, m, low + k, high + k);
         }
         // What lane k begins with is the value at the first node of lane k + 1.
         if (memcmp(low + 1, high + 1, sizeof low - sizeof low[0]) != 0) continue;
-        memcpy(w_next, low + 1, sizeof low - sizeof low[0]);
+        memcpy(vv_next, low + 1, sizeof low - sizeof low[0]);
         overlap->back = m;
         return 1;
     }
@@ -169,14 +169,14 @@ static int backward_entry(const stretch_t *block, size_t lane, overlap_t *overla
 
 // As backward_entry, of the nodes before the lanes.
 static int forward_entry(const stretch_t *block, const desk_t *desk, size_t lane,
-                         overlap_t *overlap, nck_real *w_before) {
+                         overlap_t *overlap, nck_real *vv_before) {
     nck_real low[LANES], high[LANES];
-    w_before[0] = block->w_before;
+    vv_before[0] = block->vv_before;
     for (size_t m = overlap->fore < lane ? overlap->fore : lane; m > 0;
          m = overlap_next(m, lane)) {
         overlap_forward(desk, lane, m, low, high);
         if (memcmp(low, high, sizeof low - sizeof low[0]) != 0) continue;
-        memcpy(w_before + 1, low, sizeof low - sizeof low[0]);
+        memcpy(vv_before + 1, low, sizeof low - sizeof low[0]);
         overlap->fore = m;
         return 1;
     }
@@ -184,34 +184,34 @@ static int forward_entry(const stretch_t *block, const desk_t *desk, size_t lane
 }
 
 // Ask for as much of the next block as one turn of the lanes takes of this one.
-static inline void bring_near(const nck_real *w_cap, const nck_real *h) {
+static inline void bring_near(const nck_real *vv_cap, const nck_real *h) {
     for (size_t k = 0; k < LANES * TILE; k += LINE) {
-        __builtin_prefetch(w_cap + k);
+        __builtin_prefetch(vv_cap + k);
         __builtin_prefetch(h + k);
     }
 }
 
 // Backward into the desk. Returns 1 if a number may be bad.
-static inline int backward_lanes(const stretch_t *block, size_t lane, const nck_real *w_next,
+static inline int backward_lanes(const stretch_t *block, size_t lane, const nck_real *vv_next,
                                  desk_t *desk) {
-    const nck_real *const w_cap = block->w_cap;
+    const nck_real *const vv_cap = block->vv_cap;
     const nck_real *const h = block->h;
     const int more = block->more;
     vector_t cap[TILE], piece[TILE], before[GROUPS];
     doubt_t doubt = doubt_none();
-    for (size_t g = 0; g < GROUPS; g++) before[g] = vector_load(w_next + g * WIDTH);
+    for (size_t g = 0; g < GROUPS; g++) before[g] = vector_load(vv_next + g * WIDTH);
     size_t i = lane;
     do { // every lane has nodes
         const size_t next = LANES * (2 * lane - i);
-        if (more) bring_near(w_cap + next, h + next);
+        if (more) bring_near(vv_cap + next, h + next);
         for (size_t g = 0; g < GROUPS; g++) {
             const size_t first = g * WIDTH * lane + i - TILE;
-            tile_load(w_cap + first, lane, cap);
+            tile_load(vv_cap + first, lane, cap);
             tile_load(h + first, lane, piece);
             for (size_t t = TILE; t-- > 0;) {
                 doubt = doubt_add(doubt, cap[t], piece[t]);
                 before[g] = vector_step(cap[t], before[g], piece[t]);
-                desk->w[g][i - TILE + t] = before[g];
+                desk->vv[g][i - TILE + t] = before[g];
                 desk->h[g][i - TILE + t] = piece[t];
             }
         }
@@ -221,53 +221,53 @@ static inline int backward_lanes(const stretch_t *block, size_t lane, const nck_
 }
 
 // Forward from the desk to the path.
-static inline void forward_lanes(const desk_t *desk, size_t lane, const nck_real *w_before,
-                                 const nck_real *h_before, nck_real *w) {
+static inline void forward_lanes(const desk_t *desk, size_t lane, const nck_real *vv_before,
+                                 const nck_real *h_before, nck_real *vv) {
     vector_t out[TILE], before[GROUPS], piece[GROUPS];
     for (size_t g = 0; g < GROUPS; g++) {
-        before[g] = vector_load(w_before + g * WIDTH);
+        before[g] = vector_load(vv_before + g * WIDTH);
         piece[g] = vector_load(h_before + g * WIDTH);
     }
     for (size_t i = 0; i < lane; i += TILE) {
         for (size_t g = 0; g < GROUPS; g++) {
             for (size_t t = 0; t < TILE; t++) {
-                before[g] = vector_step(desk->w[g][i + t], before[g], piece[g]);
+                before[g] = vector_step(desk->vv[g][i + t], before[g], piece[g]);
                 piece[g] = desk->h[g][i + t];
                 out[t] = before[g];
             }
-            tile_store(out, lane, w + g * WIDTH * lane + i);
+            tile_store(out, lane, vv + g * WIDTH * lane + i);
         }
     }
 }
 
 // Both passes one node after the other. 0: a number is bad, and nothing is written.
 static int plan_serial(const stretch_t *block) {
-    if (!all_good(block->w_cap, block->n) || !all_good(block->h, block->n)) return 0;
-    backward_serial(block->w_cap, block->h, block->n, block->w_behind, block->w);
-    block->w[0] = nck_envelope_forward(block->w[0], block->w_before, block->h_before);
-    forward_serial(block->h, block->n - 1, block->w);
+    if (!all_good(block->vv_cap, block->n) || !all_good(block->h, block->n)) return 0;
+    backward_serial(block->vv_cap, block->h, block->n, block->vv_behind, block->vv);
+    block->vv[0] = nck_envelope_forward(block->vv[0], block->vv_before, block->h_before);
+    forward_serial(block->h, block->n - 1, block->vv);
     return 1;
 }
 
 // Both passes of a block of LANES lanes. 0: a number is bad, and nothing is written.
 static inline int plan_lanes(const stretch_t *block, size_t lane, overlap_t *overlap) {
     desk_t desk;
-    nck_real w_next[LANES], w_before[LANES], h_before[LANES];
-    if (!backward_entry(block, lane, overlap, w_next)) {
+    nck_real vv_next[LANES], vv_before[LANES], h_before[LANES];
+    if (!backward_entry(block, lane, overlap, vv_next)) {
         overlap_refuse(overlap);
         return plan_serial(block);
     }
-    if (backward_lanes(block, lane, w_next, &desk)
-        && (!all_good(block->w_cap, block->n) || !all_good(block->h, block->n))) {
+    if (backward_lanes(block, lane, vv_next, &desk)
+        && (!all_good(block->vv_cap, block->n) || !all_good(block->h, block->n))) {
         return 0;
     }
-    if (!forward_entry(block, &desk, lane, overlap, w_before)) {
+    if (!forward_entry(block, &desk, lane, overlap, vv_before)) {
         overlap_refuse(overlap);
         return plan_serial(block);
     }
     h_before[0] = block->h_before;
     for (size_t k = 1; k < LANES; k++) h_before[k] = block->h[k * lane - 1];
-    forward_lanes(&desk, lane, w_before, h_before, block->w);
+    forward_lanes(&desk, lane, vv_before, h_before, block->vv);
     overlap_learn(overlap);
     return 1;
 }

@@ -47,22 +47,22 @@ static int all_good(const nck_real *x, size_t n) {
     return i == n;
 }
 
-// Backward over n nodes; w_next: w at the node behind them. Returns w at the first one.
-static nck_real backward_serial(const nck_real *w_cap, const nck_real *h, size_t n,
-                                nck_real w_next, nck_real *w) {
+// Backward over n nodes; vv_next: vv at the node behind them. Returns vv at the first one.
+static nck_real backward_serial(const nck_real *vv_cap, const nck_real *h, size_t n,
+                                nck_real vv_next, nck_real *vv) {
     for (size_t i = n; i-- > 0;) {
-        w_next = nck_envelope_backward(w_cap[i], w_next, h[i]);
-        w[i] = w_next;
+        vv_next = nck_envelope_backward(vv_cap[i], vv_next, h[i]);
+        vv[i] = vv_next;
     }
-    return w_next;
+    return vv_next;
 }
 
-// Forward over n pieces. w: n + 1 nodes, the first of them final.
-static void forward_serial(const nck_real *h, size_t n, nck_real *w) {
-    nck_real w_before = w[0];
+// Forward over n pieces. vv: n + 1 nodes, the first of them final.
+static void forward_serial(const nck_real *h, size_t n, nck_real *vv) {
+    nck_real vv_before = vv[0];
     for (size_t i = 0; i < n; i++) {
-        w_before = nck_envelope_forward(w[i + 1], w_before, h[i]);
-        w[i + 1] = w_before;
+        vv_before = nck_envelope_forward(vv[i + 1], vv_before, h[i]);
+        vv[i + 1] = vv_before;
     }
 }
 

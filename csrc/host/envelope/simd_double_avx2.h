@@ -23,8 +23,8 @@ typedef __m256i doubt_t;
 static inline vector_t vector_load(const nck_real *x) { return _mm256_loadu_pd(x); }
 static inline void vector_store(vector_t a, nck_real *x) { _mm256_storeu_pd(x, a); }
 
-static inline vector_t vector_step(vector_t w_cap, vector_t w, vector_t h) {
-    return _mm256_min_pd(_mm256_add_pd(w, h), w_cap);
+static inline vector_t vector_step(vector_t vv_cap, vector_t vv, vector_t h) {
+    return _mm256_min_pd(_mm256_add_pd(vv, h), vv_cap);
 }
 
 static inline doubt_t doubt_none(void) { return _mm256_setzero_si256(); }

@@ -22,9 +22,10 @@ typedef __m256i doubt_t;
 static inline vector_t vector_load(const nck_real *x) { return _mm256_loadu_ps(x); }
 static inline void vector_store(vector_t a, nck_real *x) { _mm256_storeu_ps(x, a); }
 
-// min(w_cap, w + h): the instruction takes its first operand where that is smaller, as the formula.
-static inline vector_t vector_step(vector_t w_cap, vector_t w, vector_t h) {
-    return _mm256_min_ps(_mm256_add_ps(w, h), w_cap);
+// min(vv_cap, vv + h): the instruction takes its first operand where that is smaller, as the
+// formula.
+static inline vector_t vector_step(vector_t vv_cap, vector_t vv, vector_t h) {
+    return _mm256_min_ps(_mm256_add_ps(vv, h), vv_cap);
 }
 
 static inline doubt_t doubt_none(void) { return _mm256_setzero_si256(); }

@@ -34,10 +34,10 @@ static inline void vector_store(vector_t a, nck_real *x) {
     for (size_t k = 0; k < WIDTH; k++) x[k] = a.x[k];
 }
 
-static inline vector_t vector_step(vector_t w_cap, vector_t w, vector_t h) {
+static inline vector_t vector_step(vector_t vv_cap, vector_t vv, vector_t h) {
     vector_t a;
     for (size_t k = 0; k < WIDTH; k++) {
-        a.x[k] = nck_envelope_backward(w_cap.x[k], w.x[k], h.x[k]);
+        a.x[k] = nck_envelope_backward(vv_cap.x[k], vv.x[k], h.x[k]);
     }
     return a;
 }

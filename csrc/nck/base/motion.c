@@ -64,7 +64,7 @@ static nck_num time_of(const nck_motion_t *self) {
     return time;
 }
 
-// Derivatives of a chunk's cells by b at their ends v², w²: −τ/((v + w)²v) …
+// Derivatives of a chunk's cells by b at their ends v², v1²: −τ/((v + v1)²v) …
 static void add_time(nck_motion_t *self, int chunk) {
     const int first = chunk * NCK_MOTION_LANES + 1;
     nck_motion_lanes_t here, behind, before2, cross2, behind2;
@@ -72,17 +72,17 @@ static void add_time(nck_motion_t *self, int chunk) {
         const int is_cell = chunk * NCK_MOTION_LANES + k < self->wish.nodes - 1;
         const nck_num tau = (nck_num)is_cell * self->tau;
         const nck_num v = NCK_NUM_SQRT(self->b[first + k]) + SPEED_MIN;
-        const nck_num w = NCK_NUM_SQRT(self->b[first + k + 1]) + SPEED_MIN;
-        const nck_num per = NCK_NUM_OF(1) / (v + w);
+        const nck_num v1 = NCK_NUM_SQRT(self->b[first + k + 1]) + SPEED_MIN;
+        const nck_num per = NCK_NUM_OF(1) / (v + v1);
         const nck_num per_v = NCK_NUM_OF(1) / v;
-        const nck_num per_w = NCK_NUM_OF(1) / w;
+        const nck_num per_v1 = NCK_NUM_OF(1) / v1;
         const nck_num force = tau * per * per;
         const nck_num curve = force * per;
         here[k] = -force * per_v;
-        behind[k] = -force * per_w;
-        before2[k] = NCK_NUM_OF(0.5) * curve * (NCK_NUM_OF(3) * v + w) * per_v * per_v * per_v;
-        cross2[k] = curve * per_v * per_w;
-        behind2[k] = NCK_NUM_OF(0.5) * curve * (NCK_NUM_OF(3) * w + v) * per_w * per_w * per_w;
+        behind[k] = -force * per_v1;
+        before2[k] = NCK_NUM_OF(0.5) * curve * (NCK_NUM_OF(3) * v + v1) * per_v * per_v * per_v;
+        cross2[k] = curve * per_v * per_v1;
+        behind2[k] = NCK_NUM_OF(0.5) * curve * (NCK_NUM_OF(3) * v1 + v) * per_v1 * per_v1 * per_v1;
         self->sums.time[k] += NCK_NUM_OF(2) * tau * per;
     }
     for (int k = 0; k < NCK_MOTION_LANES; k++) {

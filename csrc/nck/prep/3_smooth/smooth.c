@@ -7,7 +7,6 @@
 #include <string.h> // memcpy memset
 
 #include "nck/base/budget.h"               // NCK_TOLERANCE_MIN
-#include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/prep/3_smooth/divide.h"      // nck_divide_…
 #include "nck/prep/3_smooth/metric_math.h" // nck_metric_of
 #include "nck/prep/3_smooth/runs.h"        // nck_runs_…

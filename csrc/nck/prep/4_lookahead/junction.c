@@ -255,20 +255,20 @@ double nck_junction_bends(const nck_junction_t *junction) {
     return junction->shape.arc.j_plane / junction->shape.arc.kappa;
 }
 
-// The least time that a junction takes at a pace, entered at w_in at most: its acceleration gains
+// The least time that a junction takes at a pace, entered at vv_in at most: its acceleration gains
 // no more.
-static double least_time(const nck_junction_t *junction, double w_in, const nck_pace_t *at) {
-    const double v_in = nck_sqrt(w_in);
-    const double v_out = nck_sqrt(w_in + 2.0 * at->a * junction->length);
+static double least_time(const nck_junction_t *junction, double vv_in, const nck_pace_t *at) {
+    const double v_in = nck_sqrt(vv_in);
+    const double v_out = nck_sqrt(vv_in + 2.0 * at->a * junction->length);
     return v_out > v_in && v_out < at->v ? 2.0 * junction->length / (v_in + v_out) : at->time;
 }
 
-void nck_junction_settle_more(nck_junction_t *junction, double w_in, const nck_terms_t *terms) {
+void nck_junction_settle_more(nck_junction_t *junction, double vv_in, const nck_terms_t *terms) {
     for (int k = 0; k < NCK_PACES && is_curved(junction); k++) {
         settle_arc(junction, &junction->pace[k], terms);
     }
     for (int k = 0; k < NCK_PACES; k++) {
-        junction->pace[k].least = least_time(junction, w_in, &junction->pace[k]);
+        junction->pace[k].least = least_time(junction, vv_in, &junction->pace[k]);
     }
 }
 

@@ -6,7 +6,7 @@
 #include "nck/base/budget.h"                // NCK_OVERRIDE_TOP
 #include "nck/base/path.h"                  // nck_path_tangent_part
 #include "nck/base/path_math.h"             // nck_path_slope
-#include "nck/base/real.h"                  // nck_min nck_sqrt
+#include "nck/base/real.h"                  // nck_min
 #include "nck/prep/4_lookahead/lookahead.h" // nck_lookahead_t nck_junction_t
 
 // What a piece of a seg may do when junctions nearby use the share beta of the acceleration.
@@ -53,10 +53,10 @@ void nck_junction_make(nck_junction_t *junction, const nck_seg_t *seg, const dou
                        const double *tangent_end, const nck_terms_t *terms);
 
 // nck_junction_settle beyond what all segs have: under a jerk limit.
-void nck_junction_settle_more(nck_junction_t *junction, double w_in, const nck_terms_t *terms);
+void nck_junction_settle_more(nck_junction_t *junction, double vv_in, const nck_terms_t *terms);
 
-// Speed and limits of a seg at both paces; it is entered at w_in at most. Cost: constant.
-static inline void nck_junction_settle(nck_junction_t *junction, double w_in,
+// Speed and limits of a seg at both paces; it is entered at vv_in at most. Cost: constant.
+static inline void nck_junction_settle(nck_junction_t *junction, double vv_in,
                                        const nck_terms_t *terms) {
     const double v_free = junction->v_free;
     const double v_over = junction->feed > 0.0 ? NCK_OVERRIDE_TOP * junction->feed : v_free;
@@ -69,7 +69,7 @@ static inline void nck_junction_settle(nck_junction_t *junction, double w_in,
         at->j = junction->j_straight;
         at->time = junction->length / at->v;
     }
-    if (terms->limits_jerk) nck_junction_settle_more(junction, w_in, terms);
+    if (terms->limits_jerk) nck_junction_settle_more(junction, vv_in, terms);
 }
 
 // What the axes leave to a line's acceleration, or to an arc's outside of its plane, under beta.

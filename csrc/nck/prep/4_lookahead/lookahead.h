@@ -73,7 +73,7 @@ typedef struct nck_junction {
     double tool;          // speed of the tool / path speed; 0: rotary axes move alone
     double v_max;         // speed cap of the whole seg at 100 % [path mm/s]
     double v_free;        // the same by everything but the feed; ≥ v_max
-    double w_out;         // v² at its end is no more: what can be gained from the last rest on
+    double vv_out;        // v² at its end is no more: what can be gained from the last rest on
     double j_straight;    // tangential jerk limit by all axes' directions [path mm/s³]
     double a_most;        // largest tangential acceleration anywhere on the seg [path mm/s²]
     double load;          // d of the junction at the end [s²/mm]; 0 at a stop

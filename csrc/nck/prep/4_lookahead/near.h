@@ -21,20 +21,20 @@ static inline int nck_near_rests(const nck_junction_t *junction) {
 static inline double nck_near_entered_at(nck_lookahead_t *self, uint32_t at) {
     const nck_junction_t *const before =
         at > 0 ? nck_junction_at(self, at - 1) : (nck_junction_t *)0;
-    return nck_near_rests(before) ? 0.0 : before->w_out;
+    return nck_near_rests(before) ? 0.0 : before->vv_out;
 }
 
-// What a junction is left at, at most, if it is entered at w_in: w_out. Cost: constant.
-static inline void nck_near_set_out(nck_junction_t *junction, double w_in) {
-    junction->w_out = nck_min(junction->v_free * junction->v_free,
-                              w_in + 2.0 * junction->a_most * junction->length);
+// What a junction is left at, at most, if it is entered at vv_in: vv_out. Cost: constant.
+static inline void nck_near_set_out(nck_junction_t *junction, double vv_in) {
+    junction->vv_out = nck_min(junction->v_free * junction->v_free,
+                               vv_in + 2.0 * junction->a_most * junction->length);
 }
 
 // Settle the next junction's speeds and limits, as nck_lookahead_step has it. Cost: constant.
 static inline void nck_near_settle(nck_lookahead_t *self) {
     const uint32_t count = self->junction.settled;
-    const double w_in = self->terms->limits_jerk ? nck_near_entered_at(self, count) : 0.0;
-    nck_junction_settle(nck_junction_at(self, count), w_in, self->terms);
+    const double vv_in = self->terms->limits_jerk ? nck_near_entered_at(self, count) : 0.0;
+    nck_junction_settle(nck_junction_at(self, count), vv_in, self->terms);
     self->junction.settled++;
 }
 

@@ -19,17 +19,17 @@ static int is_hold(const nck_jerk_t *self) { return self->work.reach > 0.0; }
 
 // The larger speed at a cell's ends in the plan tried last, which ends at rest.
 static double tried_speed(const nck_jerk_t *self, size_t i) {
-    const double end = i + 1 < self->work.n ? self->w[i + 1] : 0.0;
-    return nck_sqrt(nck_max(self->w[i], end));
+    const double end = i + 1 < self->work.n ? self->vv[i + 1] : 0.0;
+    return nck_sqrt(nck_max(self->vv[i], end));
 }
 
 // What a piece leaves to the cells inside of it.
 typedef struct inside {
     const nck_node_t *piece; // NULL: none has been looked at
     uint32_t number;
-    double w; // cap, v²
-    double a; // [path mm/s²]
-    double j; // [path mm/s³]
+    double vv; // cap, v²
+    double a;  // [path mm/s²]
+    double j;  // [path mm/s³]
 } inside_t;
 
 // Of a piece that is there.
@@ -59,15 +59,15 @@ static double limits_of(const nck_jerk_t *self, const nck_pieces_t *pieces, size
         piece = nck_plan_piece(pieces, ++number);
         if (!piece) break;
         const inside_t next = inside_of(self, pieces, number);
-        least.w = nck_min(least.w, nck_window_node_cap(self, piece));
-        least.w = nck_min(least.w, next.w);
+        least.vv = nck_min(least.vv, nck_window_node_cap(self, piece));
+        least.vv = nck_min(least.vv, next.vv);
         least.a = nck_min(least.a, next.a);
         least.j = nck_min(least.j, next.j);
         left -= piece->length;
     }
     limits->a = least.a;
     limits->j = least.j * self->j_scale;
-    return least.w;
+    return least.vv;
 }
 
 // 1 if the cell behind cell i begins in this piece too: then cell i lies in it.
@@ -89,32 +89,32 @@ static inline double limits_at(const nck_jerk_t *self, const nck_pieces_t *piece
     }
     limits->a = inside->a;
     limits->j = inside->j * self->j_scale;
-    return inside->w;
+    return inside->vv;
 }
 
 static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, size_t i,
                        inside_t *inside) {
     nck_brake_limits_t limits;
-    const double w_cell = limits_at(self, pieces, i, inside, &limits);
+    const double vv_cell = limits_at(self, pieces, i, inside, &limits);
     const nck_node_t *const piece = inside->piece;
-    double w_node = i > 0 ? self->work.w_cell : NCK_WINDOW_UNCAPPED;
-    if (self->rung_s[i] == piece->s) w_node = nck_min(w_node, nck_window_node_cap(self, piece));
-    self->work.w_cell = w_cell;
-    self->w_cap[i] = nck_min(w_node, w_cell);
+    double vv_node = i > 0 ? self->work.vv_cell : NCK_WINDOW_UNCAPPED;
+    if (self->rung_s[i] == piece->s) vv_node = nck_min(vv_node, nck_window_node_cap(self, piece));
+    self->work.vv_cell = vv_cell;
+    self->vv_cap[i] = nck_min(vv_node, vv_cell);
     self->a_max[i] = limits.a;
     self->j_max[i] = limits.j;
 }
 
 // The path has been faster there.
 static int is_lowered(const nck_jerk_t *self, size_t i) {
-    return i < self->work.loaded && self->w[i] > self->w_cap[i];
+    return i < self->work.loaded && self->vv[i] > self->vv_cap[i];
 }
 
 // A window or a hold that ends in the cell behind a rest ends at that rest.
 static void end_at_rest(nck_jerk_t *self) {
     const uint32_t last = self->work.n - 1;
     const int may_end = !self->next->complete || is_hold(self);
-    if (!may_end || last == 0 || self->w_cap[last] > 0.0) return;
+    if (!may_end || last == 0 || self->vv_cap[last] > 0.0) return;
     self->work.n = last;
     self->next->n = last;
     self->next->end_piece = self->rung_piece[last];
@@ -125,11 +125,11 @@ static void end_at_rest(nck_jerk_t *self) {
 // it: there is but one answer to all. Returns the first one that is another's.
 static size_t limit_alike(nck_jerk_t *self, size_t i, size_t end, const inside_t *inside) {
     const double begin = inside->piece->s;
-    const double w = inside->w;
+    const double vv = inside->vv;
     const double j = inside->j * self->j_scale;
     size_t k = i;
     while (k < end && is_within(self, k, inside->number) && self->rung_s[k] != begin) {
-        self->w_cap[k] = w;
+        self->vv_cap[k] = vv;
         self->a_max[k] = inside->a;
         self->j_max[k] = j;
         if (is_lowered(self, k)) self->work.lowered = 1;
@@ -175,9 +175,9 @@ static int keeps_limits(nck_jerk_t *self, const nck_pieces_t *pieces, size_t i,
     nck_brake_limits_t limits;
     (void)limits_at(self, pieces, i, inside, &limits);
     nck_brake_relax(self, pieces, self->rung_piece[i], tried_speed(self, i), mixed, &limits);
-    const double end = i + 1 < self->work.n ? self->w[i + 1] : 0.0;
-    const double a = 0.5 * (end - self->w[i]) / self->h[i];
-    const double v_sum = nck_sqrt(self->w[i]) + nck_sqrt(end);
+    const double end = i + 1 < self->work.n ? self->vv[i + 1] : 0.0;
+    const double a = 0.5 * (end - self->vv[i]) / self->h[i];
+    const double v_sum = nck_sqrt(self->vv[i]) + nck_sqrt(end);
     const double share = nck_hull_share(self->h[i], v_sum, 0.5 * nck_window_q_cap(self));
     const double j = i > 0 ? nck_min(limits.j, self->work.j_cell) : limits.j;
     const double rise = nck_fabs(a - state->a_last);

@@ -120,7 +120,7 @@ static double least_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, doub
 }
 
 // What is mixed around a piece at speed v. Returns r = v/v_c, 1 and more where nothing is known;
-// v_c², the smallest cap, is mixed->w.
+// v_c², the smallest cap, is mixed->vv.
 static double mix_around(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number,
                          double v, nck_brake_mixed_t *mixed) {
     const double length = v * (double)NCK_FILTER_TAPS * self->machine->period_s;
@@ -131,9 +131,9 @@ static double mix_around(const nck_jerk_t *self, const nck_pieces_t *pieces, uin
                                         NCK_UNLIMITED, NCK_UNLIMITED, NCK_UNLIMITED};
         *mixed = anew;
         const double ahead = least_cap(self, pieces, length, 1, mixed);
-        mixed->w = nck_min(ahead, least_cap(self, pieces, length, -1, mixed));
+        mixed->vv = nck_min(ahead, least_cap(self, pieces, length, -1, mixed));
     }
-    return v / nck_sqrt(nck_max(mixed->w, 1e-12));
+    return v / nck_sqrt(nck_max(mixed->vv, 1e-12));
 }
 
 // What lies between standstill and the cap, linear in r.
@@ -148,7 +148,7 @@ static double linear_of(double a, const nck_brake_mixed_t *mixed, double r) {
 //   q₀ = J/|p″|.
 // a: a_c [path mm/s²].
 static double accel_left(double a, const nck_brake_mixed_t *mixed, double v, double r) {
-    const double q_cap = 6.0 * nck_sqrt(mixed->w) * a;
+    const double q_cap = 6.0 * nck_sqrt(mixed->vv) * a;
     const double q_rest = nck_max(q_cap, mixed->q_rest);
     const double ramp = (q_rest + (q_cap - q_rest) * r * r * r) / (6.0 * v);
     return nck_max(a, nck_min(linear_of(a, mixed, r), ramp));
@@ -230,9 +230,9 @@ void nck_brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, d
     nck_profile_t *const state = &self->profile;
     const double q_cap = nck_window_q_cap(self);
     if (i == 0) nck_brake_begin(state, q_cap);
-    const double above = nck_min(nck_sqrt(self->w_cap[i]), PLAN_ABOVE * state->v_last);
+    const double above = nck_min(nck_sqrt(self->vv_cap[i]), PLAN_ABOVE * state->v_last);
     const double v = nck_max(above, tried);
-    if (state->v_last > 0.0) self->w_cap[i] = v * v;
+    if (state->v_last > 0.0) self->vv_cap[i] = v * v;
     nck_brake_limits_t limits = {self->a_max[i], self->j_max[i]};
     nck_brake_relax(self, pieces, self->rung_piece[i], v, mixed, &limits);
     self->a_max[i] = limits.a;
@@ -254,7 +254,7 @@ void nck_brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, d
 static double land_cell(const nck_jerk_t *self, nck_profile_t *state, uint32_t i, double vv) {
     const double v = state->v_last;
     const double h = self->h[i];
-    const double above = nck_max(0.0, v - nck_sqrt(self->w_cap[i + 1]));
+    const double above = nck_max(0.0, v - nck_sqrt(self->vv_cap[i + 1]));
     if (!(self->work.reach > 0.0) && above <= MET_EPSILON * v) return vv;
     const double half = NCK_BRAKE_SHARE * j_of_both(self, i + 1) * state->share; // Jq/2
     const double at_once = above * v / h;
@@ -273,7 +273,7 @@ static uint32_t known_cells(const nck_jerk_t *self) {
 // Half of a cell's duration, about: at the speeds of the plan of now, or of the coarse one, or at
 // the one that the plan begins with.
 static double share_about(const nck_jerk_t *self, uint32_t i) {
-    const double known = nck_sqrt(self->w[i]) + nck_sqrt(self->w[i + 1]);
+    const double known = nck_sqrt(self->vv[i]) + nck_sqrt(self->vv[i + 1]);
     const double v_sum = self->work.anew ? 2.0 * self->profile.v : known;
     return nck_hull_share(self->h[i], v_sum, 0.5 * nck_window_q_cap(self));
 }
@@ -298,7 +298,7 @@ nck_status_t nck_brake_ease(nck_jerk_t *self) {
 // for.
 static double planned(nck_jerk_t *self) {
     const uint32_t i = self->work.i;
-    if (!self->work.from_built && i + 1 < self->work.loaded) return self->w[i + 1];
+    if (!self->work.from_built && i + 1 < self->work.loaded) return self->vv[i + 1];
     const nck_cell_t *const cell =
         nck_link_tail_cell(self->link, self->work.source + self->work.planned_cell);
     if (!cell) return 0.0;
@@ -323,7 +323,7 @@ static void turn_up(nck_jerk_t *self, uint32_t i, double vv) {
     const nck_profile_t *const state = &self->profile;
     const double h = self->h[i];
     const double j = NCK_BRAKE_SHARE * j_of_both(self, i);
-    if (vv >= self->w_cap[i + 1]) {
+    if (vv >= self->vv_cap[i + 1]) {
         *turn = (nck_jerk_turn_t){nck_sqrt(vv), state->a_last, state->share};
         return;
     }
@@ -337,7 +337,7 @@ static void turn_up(nck_jerk_t *self, uint32_t i, double vv) {
         return;
     }
     turn->v = nck_sqrt(vv_turn);
-    self->w_cap[i + 1] = nck_min(self->w_cap[i + 1], vv_turn);
+    self->vv_cap[i + 1] = nck_min(self->vv_cap[i + 1], vv_turn);
 }
 
 nck_status_t nck_brake_raise(nck_jerk_t *self) {
@@ -347,7 +347,7 @@ nck_status_t nck_brake_raise(nck_jerk_t *self) {
     if (self->work.i == 0) {
         nck_brake_begin(state, q_cap);
         self->work.turn.a = 0.0;
-        if (state->v > 0.0) self->w_cap[0] = nck_max(self->w_cap[0], state->v * state->v);
+        if (state->v > 0.0) self->vv_cap[0] = nck_max(self->vv_cap[0], state->v * state->v);
         if (!may_raise(self)) return NCK_DONE;
     }
     for (int n = 0; n < NCK_JERK_STEP; n++) {
@@ -364,7 +364,7 @@ nck_status_t nck_brake_raise(nck_jerk_t *self) {
             state->a_last = 0.5 * (floor - state->v_last * state->v_last) / self->h[i];
         }
         turn_up(self, i, floor);
-        self->w_cap[i + 1] = nck_max(self->w_cap[i + 1], floor);
+        self->vv_cap[i + 1] = nck_max(self->vv_cap[i + 1], floor);
         state->v_last = nck_sqrt(floor);
         self->work.braked += self->h[i];
         self->work.i++;

@@ -20,7 +20,7 @@ typedef struct nck_brake_mixed {
     uint32_t number;               // of the piece
     uint32_t work;                 // done so far: pieces that were looked at, and so on
     double least, most;            // it holds for distances between them [mm]
-    double w;                      // the smallest cap, v²; 0: not known so far
+    double vv;                     // the smallest cap, v²; 0: not known so far
     double a_rest, j_rest, q_rest; // what the pieces leave at standstill (nck_node_t), at least
 } nck_brake_mixed_t;
 

@@ -35,18 +35,18 @@ typedef struct draw {
 
 static uint8_t limit_of(const nck_jerk_t *self, draw_t *draw, size_t i, double a) {
     const nck_node_t *const piece = draw->piece;
-    const double w0 = self->w[i];
-    const double w1 = self->w[i + 1];
+    const double vv0 = self->vv[i];
+    const double vv1 = self->vv[i + 1];
     const double near = 1.0 - CAP_EPSILON;
     if (nck_fabs(a) >= ACCEL_SHARE * self->a_max[i]) return NCK_LIMIT_ACCEL;
     if (draw->capped != piece) draw->cap = nck_window_cap(self, piece);
     draw->capped = piece;
     const double cap = draw->cap;
-    if (nck_min(w0, w1) >= near * cap) {
+    if (nck_min(vv0, vv1) >= near * cap) {
         return cap < near * piece->vv_piece ? (uint8_t)NCK_LIMIT_FEED : piece->limit_piece;
     }
-    const int at_node = w0 >= near * self->w_cap[i] && self->rung_s[i] == piece->s;
-    if (at_node && w0 > 0.0) return piece->limit;
+    const int at_node = vv0 >= near * self->vv_cap[i] && self->rung_s[i] == piece->s;
+    if (at_node && vv0 > 0.0) return piece->limit;
     return NCK_LIMIT_JERK;
 }
 
@@ -79,19 +79,19 @@ static const nck_node_t *end_cell(const nck_jerk_t *self, const nck_pieces_t *pi
 // such (a coarse one is not asked, and from rest there is no other): the node behind cell i creeps.
 static void keep_moving(nck_jerk_t *self, size_t i, uint32_t n) {
     const size_t node = i + 1;
-    if (node == n || !(self->w_cap[node] > 0.0)) return;
-    if (self->w[i] > 0.0 && self->w[node + 1] > 0.0) return;
+    if (node == n || !(self->vv_cap[node] > 0.0)) return;
+    if (self->vv[i] > 0.0 && self->vv[node + 1] > 0.0) return;
     const double h = nck_min(self->h[i], self->h[node]);
     const double v = CREEP * nck_ladder_cbrt(nck_min(self->j_max[i], self->j_max[node]) * h * h);
-    self->w[node] = nck_min(self->w_cap[node], v * v);
+    self->vv[node] = nck_min(self->vv_cap[node], v * v);
 }
 
 // Whether cell i is a long one, however slowly the path passes it.
 static int is_long(const nck_jerk_t *self, size_t i, const nck_cell_t *drawn) {
     const double longer = LONG_SHARE * NCK_LADDER_STRETCH * self->work.step;
     if (!(drawn->duration > longer)) return 0;
-    const double end = i + 1 < self->work.n ? self->w_cap[i + 1] : 0.0;
-    return drawn->length > longer * nck_sqrt(nck_max(self->w_cap[i], end));
+    const double end = i + 1 < self->work.n ? self->vv_cap[i + 1] : 0.0;
+    return drawn->length > longer * nck_sqrt(nck_max(self->vv_cap[i], end));
 }
 
 // A long cell is drawn in which the speed changes. What brakes for the window's end does not count:
@@ -116,11 +116,11 @@ static inline void note_sure(const nck_jerk_t *self, draw_t *draw, size_t i) {
 // What of a cell the ladder of the next plan is divided by.
 static inline void draw_motion(nck_jerk_t *self, draw_t *draw, size_t i) {
     nck_cell_t *const cell = &draw->cells[i];
-    if (!(self->w[i + 1] > 0.0)) keep_moving(self, i, draw->n);
+    if (!(self->vv[i + 1] > 0.0)) keep_moving(self, i, draw->n);
     const double v = draw->v;
     const double h = self->h[i];
-    const double end = self->w[i + 1];
-    const double a = (end - self->w[i]) / (2.0 * h);
+    const double end = self->vv[i + 1];
+    const double a = (end - self->vv[i]) / (2.0 * h);
     draw->v = nck_sqrt(end);
     const double duration = 2.0 * h / (v + draw->v);
     draw->time += duration;
@@ -158,7 +158,7 @@ static draw_t begin_step(nck_jerk_t *self, const nck_pieces_t *pieces) {
     draw.piece = nck_plan_piece(pieces, self->rung_piece[i]);
     draw.capped = (const nck_node_t *)0;
     draw.cap = 0.0;
-    draw.v = nck_sqrt(self->w[i]);
+    draw.v = nck_sqrt(self->vv[i]);
     draw.n = self->work.n;
     draw.keep = self->next->keep;
     draw.held = self->next->held ? NCK_STOP_HOLD : 0;

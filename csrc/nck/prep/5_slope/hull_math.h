@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The jerk rule and the two steps that keep it, in w = v² over the path coordinate. Derived in
+// The jerk rule and the two steps that keep it, in v² over the path coordinate. Derived in
 // README, section "Jerk".
 #ifndef NCK_PREP_HULL_MATH_H
 #define NCK_PREP_HULL_MATH_H

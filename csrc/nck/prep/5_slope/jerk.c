@@ -81,16 +81,16 @@ void nck_jerk_init(nck_jerk_t *self, const nck_machine_t *machine, nck_link_t *l
     self->j_scale = (1.0 - JERK_MARGIN) / (1.0 + excess);
     nck_profile_t *const p = &self->profile;
     p->h = self->h;
-    p->w_cap = self->w_cap;
+    p->vv_cap = self->vv_cap;
     p->a_max = self->a_max;
     p->j_max = self->j_max;
-    p->w = self->w;
+    p->vv = self->vv;
 }
 
 static void enter(nck_jerk_t *self, uint32_t phase) {
     self->work.phase = phase;
     self->work.i = 0;
-    self->work.w_cell = 0.0;
+    self->work.vv_cell = 0.0;
     self->work.planned_cell = 0;
     self->work.planned_at = 0.0;
     self->work.braked = 0.0;
@@ -140,7 +140,7 @@ static void begin_moving(nck_jerk_t *self) {
     const int anew = wish->single_block || !moves;
     self->work.base = self->now->first_piece;
     self->work.pieces = NCK_JERK_PIECES;
-    self->work.w_entry = self->job.v * self->job.v;
+    self->work.vv_entry = self->job.v * self->job.v;
     self->work.source = self->next->begin;
     self->work.coarse = (uint32_t)anew | self->job.slower; // that ladder is for higher speeds
     self->work.anew = (uint32_t)anew;
@@ -187,7 +187,7 @@ static int runs_past(const nck_jerk_t *self, const nck_pieces_t *pieces) {
 
 // The way of a brake grows a little less than the speed that it is made from.
 static double growth_of(const nck_jerk_t *self) {
-    const double met = nck_sqrt(nck_max(self->w[0], 1e-12));
+    const double met = nck_sqrt(nck_max(self->vv[0], 1e-12));
     return nck_max(REACH_GROWTH, nck_min(1.0, REACH_SHARE * (self->profile.v / met - 1.0)));
 }
 

@@ -64,7 +64,7 @@ typedef NCK_JERK_STATE nck_jerk {
         double sure_time;  // … and their duration [s]
         uint32_t base;     // lay: pieces from this one on …
         uint32_t pieces;   // … so many: what room 4 can hold whatever the tick has done
-        double w_entry;    // lay: about the largest v² at the piece's start
+        double vv_entry;   // lay: about the largest v² at the piece's start
         double far;        // lay: how near its ends the ladder is finer [mm] …
         double far_s;      // … the first of which is so far behind its start
         double even;       // lay: the speed changes so near its ends at most [mm]
@@ -75,7 +75,7 @@ typedef NCK_JERK_STATE nck_jerk {
         uint32_t passes;   // block ends that came too early to rest at
         uint32_t to_pass;  // lay: of them, those still ahead
         uint32_t over;     // 1: limits for overrides beyond 100 %
-        double w_cell;     // cap of the cell before
+        double vv_cell;    // cap of the cell before
         uint32_t lowered;  // limit: 1: a cap is below the speed that was taken over with its node
         uint32_t anew;     // 1: the whole ladder is laid anew, over the path of the plan of now
         uint32_t planned_cell; // brake: cell of that plan …
@@ -86,9 +86,9 @@ typedef NCK_JERK_STATE nck_jerk {
     nck_profile_t profile;
     uint32_t rung_piece[NCK_PROFILE_ROWS]; // where every cell begins
     double rung_s[NCK_PROFILE_ROWS];
-    double h[NCK_PROFILE_ROWS], w_cap[NCK_PROFILE_ROWS];
+    double h[NCK_PROFILE_ROWS], vv_cap[NCK_PROFILE_ROWS];
     double a_max[NCK_PROFILE_ROWS], j_max[NCK_PROFILE_ROWS];
-    double w[NCK_PROFILE_ROWS];
+    double vv[NCK_PROFILE_ROWS];
 } nck_jerk_t;
 
 // What a cell of the ladder lasts about: D [s]. Cost: constant. Context: any.

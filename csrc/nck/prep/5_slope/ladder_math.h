@@ -24,10 +24,10 @@ static inline nck_real nck_ladder_cbrt(nck_real x) {
     return (2.0 * y + x / (y * y)) / 3.0;
 }
 
-// v² at a distance x behind a point that is passed at w0 with no acceleration: from rest under the
+// v² at a distance x behind a point that is passed at vv0 with no acceleration: from rest under the
 // jerk J, x = J·t³/6 and v = J·t²/2, so v² = (81/4)^(1/3)·(J·x²)^(2/3) = 2.726·x·(J²·x)^(1/3);
 // under the acceleration A it is 2·A·x.
-//        w(x) ≈ w0 + x·min(2A, 2.726·(J²·x)^(1/3))
+//        vv(x) ≈ vv0 + x·min(2A, 2.726·(J²·x)^(1/3))
 // Where the acceleration bounds it by far, no root is needed to know so.
 static inline nck_real nck_ladder_gain(nck_real x, nck_real a, nck_real j) {
     const nck_real jjx = j * j * x;
@@ -38,11 +38,11 @@ static inline nck_real nck_ladder_gain(nck_real x, nck_real a, nck_real j) {
 
 // A piece of path that a ladder is laid over: caps of v² and limits.
 typedef struct nck_ladder_piece {
-    nck_real w0; // at its start [mm²/s²]
-    nck_real w1; // at its end
-    nck_real w;  // between
-    nck_real a;  // [mm/s²]
-    nck_real j;  // [mm/s³]
+    nck_real vv0; // at its start [mm²/s²]
+    nck_real vv1; // at its end
+    nck_real vv;  // between
+    nck_real a;   // [mm/s²]
+    nck_real j;   // [mm/s³]
 } nck_ladder_piece_t;
 
 // The length of the next cell at a distance x behind a piece's start and y before its end: D·v a
@@ -52,10 +52,10 @@ static inline nck_real nck_ladder_step(NCK_IN nck_ladder_piece_t *piece, nck_rea
     const nck_real a = piece->a;
     const nck_real j = piece->j;
     const nck_real first = j * step * step * step / 6.0;
-    nck_real w = piece->w;
-    if (piece->w0 < w) w = nck_min(w, piece->w0 + nck_ladder_gain(x + first, a, j));
-    if (piece->w1 < w) w = nck_min(w, piece->w1 + nck_ladder_gain(y + first, a, j));
-    return step * nck_sqrt(w);
+    nck_real vv = piece->vv;
+    if (piece->vv0 < vv) vv = nck_min(vv, piece->vv0 + nck_ladder_gain(x + first, a, j));
+    if (piece->vv1 < vv) vv = nck_min(vv, piece->vv1 + nck_ladder_gain(y + first, a, j));
+    return step * nck_sqrt(vv);
 }
 
 // The distance over which the gain reaches dw: beyond it a node's cap no longer matters.

@@ -5,7 +5,7 @@
 #include <string.h> // memset
 
 #include "nck/base/envelope_math.h" // nck_envelope_…
-#include "nck/base/real.h"          // nck_max nck_min
+#include "nck/base/real.h"          // nck_max
 #include "nck/prep/5_slope/linear_left.h" // nck_linear_left
 #include "nck/prep/5_slope/trapezoid.h" // nck_trapezoid_legs nck_trapezoid_brake
 
@@ -111,7 +111,7 @@ void nck_linear_begin(nck_linear_t *self, const nck_job_t *job) {
     }
 }
 
-// ---- the envelope: w = v² at every node
+// ---- the envelope: v² at every node
 
 // The first piece that the look-ahead does not see. Returns 1 if that is as far as it may.
 static int find_end(nck_linear_t *self, const nck_pieces_t *pieces) {
@@ -215,7 +215,7 @@ static int rests_at(const nck_linear_t *self, const nck_pieces_t *pieces, uint32
     return nck_plan_ends_block(self->link, pieces, number - 1);
 }
 
-// w_i = min(w_cap,i, w_{i+1} + h_i) from the view's end, where the path must be able to rest.
+// vv_i = min(vv_cap,i, vv_{i+1} + h_i) from the view's end, where the path must be able to rest.
 // Returns 1 where the last envelope, which comes to rest sooner, is met at a cap: what is before it
 // is as it was.
 static int backward_node(nck_linear_t *self, const nck_pieces_t *pieces, uint32_t number) {
@@ -274,7 +274,7 @@ static void end_envelope(nck_linear_t *self) {
     self->known.end = is_known && self->pass.floor == self->at.piece + 1 ? self->end : self->final;
 }
 
-// w_{i+1} = min(w_{i+1}, w_i + h_i) over the pieces that become final.
+// vv_{i+1} = min(vv_{i+1}, vv_i + h_i) over the pieces that become final.
 static void pass_forward(nck_linear_t *self, const nck_pieces_t *pieces) {
     const uint32_t last = self->final == self->end ? self->end - 1 : self->final;
     uint32_t number = self->pass.i;

@@ -12,7 +12,6 @@
 #include "nck/base/limits.h"         // NCK_WINDOW NCK_TAIL_MAX
 #include "nck/base/link.h"           // nck_link_t
 #include "nck/base/machine.h"        // nck_machine_t
-#include "nck/base/records.h"        // nck_cell_t
 #include "nck/base/status.h"         // nck_status_t
 #include "nck/prep/5_slope/legs.h"   // nck_legs_t
 #include "nck/prep/5_slope/plan.h"   // nck_plan_t nck_job_t nck_pieces_t

@@ -31,13 +31,13 @@ static double least_cap(const nck_pieces_t *pieces, uint32_t number, double dist
 // What it asks for,  Σ d_i·(v_r − x_i/T)  over all with x_i < v_r T,  is convex in v_r and 0 at
 // standstill; so is what an arc's or a spline's bends ask for. So
 //   a ≥ a_0 + (a_c − a_0)·r,   r = v_r/v_c < 1.
-double nck_linear_left(const nck_pieces_t *pieces, uint32_t number, double w, uint32_t over,
+double nck_linear_left(const nck_pieces_t *pieces, uint32_t number, double vv, uint32_t over,
                        double period) {
     const nck_node_t *const piece = nck_plan_there(pieces, number);
     const double a = over ? piece->a_over : piece->a;
     const double a_rest = (double)piece->standstill.left.a;
     if (!(a_rest > a)) return a;
-    const double v = nck_sqrt(w) + a_rest * period;
+    const double v = nck_sqrt(vv) + a_rest * period;
     const double ahead = least_cap(pieces, number, v * period, 1, over);
     const double cap = nck_min(ahead, least_cap(pieces, number, v * period, -1, over));
     if (!(v * v < cap)) return a;

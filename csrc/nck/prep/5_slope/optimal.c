@@ -5,7 +5,7 @@
 #include <stddef.h> // offsetof
 #include <string.h> // memset
 
-#include "nck/base/real.h"                  // nck_min nck_max nck_sqrt
+#include "nck/base/real.h"                  // nck_max nck_sqrt
 #include "nck/prep/5_slope/optimal_draw.h"  // nck_optimal_draw
 #include "nck/prep/5_slope/optimal_nodes.h" // nck_optimal_fill …
 #include "nck/prep/5_slope/optimal_pace.h"  // nck_optimal_work …

@@ -4,11 +4,9 @@
 #define NCK_PREP_PLAN_H
 
 #include "nck/base/budget.h"  // NCK_OVERRIDE_TOP
-#include "nck/base/machine.h" // nck_machine_t
 #include "nck/base/link.h"    // nck_link_t
 #include "nck/base/real.h"    // nck_min
 #include "nck/base/records.h" // nck_node_t nck_cell_t
-#include "nck/base/status.h"  // nck_status_t
 
 // Room 4's window of pieces as this room sees it. Pieces have running numbers.
 typedef struct nck_pieces {

@@ -20,14 +20,14 @@
 
 enum {
     REACH_BACK = 0, REACH_FORTH, RAMP_BACK, RAMP_FORTH, HULL_U, LEVEL_U, HULL_E, LEVEL_E, RISE,
-    FALL, HULL_W, LEVEL_W, HULL_HIGH, LEVEL_HIGH, HULL_LAST, LEVEL_LAST, KEEP, PLANNED
+    FALL, HULL_VV, LEVEL_VV, HULL_HIGH, LEVEL_HIGH, HULL_LAST, LEVEL_LAST, KEEP, PLANNED
 };
 
 // 7 nodes of a climb have the instructions of 8 in other passes, or more: they count as such.
 enum { CLIMB_PRICE = 8 };
 
-// The entry speed is met if w agrees so far; a change of acceleration within rule R if it exceeds
-// it by no more than this share of a_max (rounding in w over short cells).
+// The entry speed is met if vv agrees so far; a change of acceleration within rule R if it exceeds
+// it by no more than this share of a_max (rounding in vv over short cells).
 #define SPEED_EPSILON 1e-9
 #define JOIN_EPSILON 1e-6
 // A plan that can but slow down at first is none if that takes it below a tenth of what a cell
@@ -47,7 +47,7 @@ enum { CLIMB_PRICE = 8 };
 static int is_backward(uint32_t phase) { return phase == REACH_BACK || phase == FALL; }
 
 static int is_level(uint32_t phase) {
-    return phase == LEVEL_U || phase == LEVEL_E || phase == LEVEL_W || phase == LEVEL_HIGH
+    return phase == LEVEL_U || phase == LEVEL_E || phase == LEVEL_VV || phase == LEVEL_HIGH
            || phase == LEVEL_LAST;
 }
 
@@ -68,12 +68,12 @@ static void begin_pass(nck_profile_t *self, uint32_t phase) {
     self->fall = 0.0;
     self->slows = 0;
     if (!is_level(phase)) self->top = 0;
-    if (phase == LEVEL_U || phase == LEVEL_W) self->sharp = 0;
+    if (phase == LEVEL_U || phase == LEVEL_VV) self->sharp = 0;
 }
 
 void nck_profile_begin(nck_profile_t *self) {
     assert(self->n >= 1);
-    self->w_cap[self->n] = 0.0;
+    self->vv_cap[self->n] = 0.0;
     self->fresh = 1;
     self->broken = 0;
     begin_pass(self, REACH_BACK);
@@ -125,19 +125,19 @@ static inline int sticks_out(const corners_t *corners, double s, double z) {
 }
 
 // The hull's first corner; the speeds as below.
-static void begin_hull(nck_profile_t *self, const double *w_of_time) {
-    self->v_last = nck_sqrt(w_of_time[0]);
-    self->z[0] = self->w[0];
+static void begin_hull(nck_profile_t *self, const double *vv_of_time) {
+    self->v_last = nck_sqrt(vv_of_time[0]);
+    self->z[0] = self->vv[0];
     self->stack[0] = 0;
     self->top = 1;
     self->i = 1;
 }
 
-// Corners of the lower hull of (s, w + C); w_of_time: the speeds' squares that the durations come
+// Corners of the lower hull of (s, vv + C); vv_of_time: the speeds' squares that the durations come
 // from. A node and a corner taken off are a unit each.
-static uint32_t hull(nck_profile_t *self, uint32_t budget, const double *w_of_time) {
+static uint32_t hull(nck_profile_t *self, uint32_t budget, const double *vv_of_time) {
     if (self->i == 0) {
-        begin_hull(self, w_of_time);
+        begin_hull(self, vv_of_time);
         return 1;
     }
     const uint32_t count = nck_profile_left_forth(self, budget);
@@ -145,7 +145,7 @@ static uint32_t hull(nck_profile_t *self, uint32_t budget, const double *w_of_ti
     const double *const h = self->h;
     const double *const j = self->j;
     const double *const s = self->s;
-    const double *const w = self->w;
+    const double *const vv = self->vv;
     double *const z = self->z;
     uint32_t *const stack = self->stack;
     fallen_t fallen = {self->v_last, self->share, self->sigma, self->fall};
@@ -157,8 +157,8 @@ static uint32_t hull(nck_profile_t *self, uint32_t budget, const double *w_of_ti
     uint32_t left = count;
     while (left > 0) {
         if (fresh) {
-            fall_over(&fallen, h[i - 1], nck_sqrt(w_of_time[i]), j[i - 1], most);
-            at = w[i] + fallen.sum;
+            fall_over(&fallen, h[i - 1], nck_sqrt(vv_of_time[i]), j[i - 1], most);
+            at = vv[i] + fallen.sum;
             z[i] = at;
         }
         const double s_here = s[i];
@@ -192,8 +192,8 @@ static double blunt_of(const nck_profile_t *self) {
     return begins_at_rest(self) ? BLUNT_FROM_REST : BLUNT_ONWARD;
 }
 
-// Every node of w down onto the hull, in e; in its place if that is the plan. On a corner the value
-// stays to the bit. For the last hull it is what that takes durations from: no more than above it,
+// Every node of vv down onto the hull, in e; in its place if that is the plan. On a corner it stays
+// to the bit. For the last hull it is what that takes durations from: no more than above it,
 // for those are what acceleration falls by into a stretch of less.
 static uint32_t level(nck_profile_t *self, uint32_t budget) {
     const uint32_t count = nck_profile_left_forth(self, budget);
@@ -203,11 +203,11 @@ static uint32_t level(nck_profile_t *self, uint32_t budget) {
     const size_t end = self->i + count;
     const double blunt = blunt_of(self);
     const double faster = NCK_HAS_BEST && self->phase == LEVEL_HIGH ? FASTER * FASTER : 1.0;
-    const double *const w = self->w;
-    double *const out = NCK_HAS_BEST || self->phase != LEVEL_W ? self->e : self->w;
+    const double *const vv = self->vv;
+    double *const out = NCK_HAS_BEST || self->phase != LEVEL_VV ? self->e : self->vv;
     uint32_t sharp = self->sharp;
     for (size_t i = self->i; i < end; i++) {
-        const double value = w[i];
+        const double value = vv[i];
         if (*corner == i) {
             corner++;
             out[i] = value;
@@ -230,7 +230,7 @@ static uint32_t level(nck_profile_t *self, uint32_t budget) {
 // The envelope is the plan.
 static uint32_t keep(nck_profile_t *self, uint32_t budget) {
     const uint32_t count = nck_profile_left_forth(self, budget);
-    memcpy(self->w + self->i, self->e + self->i, count * sizeof *self->w);
+    memcpy(self->vv + self->i, self->e + self->i, count * sizeof *self->vv);
     self->i += count;
     return count;
 }
@@ -300,8 +300,8 @@ static inline double rise(rise_t *state, const nck_hull_cell_t *step, const doub
 }
 
 static void rise_first(nck_profile_t *self) {
-    self->w[0] = nck_min(self->e[0], self->v * self->v);
-    self->v_last = nck_sqrt(self->w[0]);
+    self->vv[0] = nck_min(self->e[0], self->v * self->v);
+    self->v_last = nck_sqrt(self->vv[0]);
     self->a_last = self->a;
     self->share = 0.5 * nck_min(self->q, self->q_cap);
     self->slows = self->a < 0.0;
@@ -310,17 +310,17 @@ static void rise_first(nck_profile_t *self) {
 // The way down comes to nothing above the way up: that one is kept from here on.
 static void follow_rise(const nck_profile_t *self, uint32_t i, rise_t *state) {
     const double h = self->h[i];
-    state->v = nck_sqrt(self->w[i]);
-    state->a = (self->w[i] - self->w[i + 1]) / (2.0 * h);
-    state->share = nck_hull_share(h, state->v + nck_sqrt(self->w[i + 1]), 0.5 * self->q_cap);
+    state->v = nck_sqrt(self->vv[i]);
+    state->a = (self->vv[i] - self->vv[i + 1]) / (2.0 * h);
+    state->share = nck_hull_share(h, state->v + nck_sqrt(self->vv[i + 1]), 0.5 * self->q_cap);
 }
 
 // On the way back: node i, where the rise from behind comes to vv. v: its speed before it went over
 // the cell; broken: what it had told by then.
 static inline void meet(nck_profile_t *self, uint32_t i, double vv, double v, uint32_t broken,
                         rise_t *state) {
-    if (vv > 0.0 || !(self->e[i] > 0.0) || !(self->w[i + 1] < v * v)) {
-        self->w[i] = nck_min(self->w[i], vv);
+    if (vv > 0.0 || !(self->e[i] > 0.0) || !(self->vv[i + 1] < v * v)) {
+        self->vv[i] = nck_min(self->vv[i], vv);
         return;
     }
     state->broken = broken;
@@ -329,7 +329,7 @@ static inline void meet(nck_profile_t *self, uint32_t i, double vv, double v, ui
 
 // Where a pass of rises begins: the first node, and the next one to be done.
 static uint32_t begin_climb(nck_profile_t *self, int back) {
-    if (back) self->w[self->n] = 0.0;
+    if (back) self->vv[self->n] = 0.0;
     else rise_first(self);
     return back ? self->n - 1 : 1;
 }
@@ -359,7 +359,7 @@ static uint32_t climb(nck_profile_t *self, uint32_t budget, const double *bound,
         const uint32_t broken = state.broken;
         const double vv = rise(&state, &step, &self->a_max[cell], self->e[i]);
         if (back) meet(self, (uint32_t)i, vv, v, broken, &state);
-        else self->w[i] = vv;
+        else self->vv[i] = vv;
         j = self->j[i]; // between this cell and the next one
         i += onward;
         cell += onward;
@@ -380,7 +380,7 @@ static uint32_t work(nck_profile_t *self, uint32_t budget) {
     case FALL: return climb(self, budget, self->down, 1);
     case KEEP: return keep(self, budget);
     case HULL_U:
-    case HULL_W: return hull(self, budget, self->w);
+    case HULL_VV: return hull(self, budget, self->vv);
     default: return hull(self, budget, self->e);
     }
 }
@@ -388,14 +388,14 @@ static uint32_t work(nck_profile_t *self, uint32_t budget) {
 // The pass has done its last node: forward n, backward 0, and i has gone beyond.
 static int is_over(const nck_profile_t *self) { return self->i > self->n; }
 
-// nck_profile_joins, of a plan w.
-static int joins(const nck_profile_t *self, const double *w) {
-    const double vv = self->v * self->v;
-    if (!(vv > 0.0)) return 1;
-    if (self->broken || nck_fabs(w[0] - vv) > SPEED_EPSILON * vv) return 0;
+// nck_profile_joins, of a plan vv.
+static int joins(const nck_profile_t *self, const double *vv) {
+    const double entry = self->v * self->v;
+    if (!(entry > 0.0)) return 1;
+    if (self->broken || nck_fabs(vv[0] - entry) > SPEED_EPSILON * entry) return 0;
     const double share =
-        nck_hull_share(self->h[0], self->v + nck_sqrt(w[1]), 0.5 * self->q_cap);
-    const double a = (w[1] - w[0]) / (2.0 * self->h[0]);
+        nck_hull_share(self->h[0], self->v + nck_sqrt(vv[1]), 0.5 * self->q_cap);
+    const double a = (vv[1] - vv[0]) / (2.0 * self->h[0]);
     const double fall = self->j_max[0] * (share + 0.5 * nck_min(self->q, self->q_cap));
     return a >= self->a - fall - JOIN_EPSILON * self->a_max[0];
 }
@@ -403,10 +403,10 @@ static int joins(const nck_profile_t *self, const double *w) {
 // The pass behind the one that is over. A plan that goes on has to join: its envelope is the best,
 // and so is what would not join.
 static uint32_t pass_behind(const nck_profile_t *self) {
-    if (!NCK_HAS_BEST) return self->phase == LEVEL_W ? PLANNED : self->phase + 1;
+    if (!NCK_HAS_BEST) return self->phase == LEVEL_VV ? PLANNED : self->phase + 1;
     if (self->sharp) return self->phase + 1;
     if (self->phase == LEVEL_U && begins_at_rest(self) && self->count > 0) return RISE;
-    return self->phase == LEVEL_W && joins(self, self->e) ? KEEP : self->phase + 1;
+    return self->phase == LEVEL_VV && joins(self, self->e) ? KEEP : self->phase + 1;
 }
 
 nck_status_t nck_profile_step(nck_profile_t *self, uint32_t budget) {
@@ -418,4 +418,4 @@ nck_status_t nck_profile_step(nck_profile_t *self, uint32_t budget) {
     return self->phase == PLANNED ? NCK_DONE : NCK_OK;
 }
 
-int nck_profile_joins(const nck_profile_t *self) { return joins(self, self->w); }
+int nck_profile_joins(const nck_profile_t *self) { return joins(self, self->vv); }

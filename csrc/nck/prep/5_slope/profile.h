@@ -12,19 +12,19 @@
 // A profile in work: arrays of the caller, and where its passes stand.
 typedef struct nck_profile {
     // the problem; set before nck_profile_begin
-    uint32_t n;    // cells, 1 at least; nodes 0 … n
-    double *h;     // n: length of every cell, positive [mm]
-    double *w_cap; // n + 1: cap at every node, v²; 0: rest. The last is taken as 0
-    double *a_max; // n: acceleration [mm/s²], positive
-    double *j_max; // n: jerk [mm/s³], positive
-    double q_cap;  // longest duration of a cell that counts in rule R [s], positive
+    uint32_t n;     // cells, 1 at least; nodes 0 … n
+    double *h;      // n: length of every cell, positive [mm]
+    double *vv_cap; // n + 1: cap at every node, v²; 0: rest. The last is taken as 0
+    double *a_max;  // n: acceleration [mm/s²], positive
+    double *j_max;  // n: jerk [mm/s³], positive
+    double q_cap;   // longest duration of a cell that counts in rule R [s], positive
     uint32_t count; // nodes that are worth the best, if the build has it (NCK_HAS_BEST)
     double v;      // speed at node 0 [mm/s]
     double a;      // acceleration of the cell before node 0 [mm/s²]
     double q;      // its duration [s]; 0 if the path rested there
 
     // the answer
-    double *w;     // n + 1: v² at every node
+    double *vv;     // n + 1: v² at every node
 
     // work
     double *s;     // n + 1: path coordinate
@@ -56,7 +56,7 @@ typedef struct nck_profile {
 void nck_profile_begin(nck_profile_t *self);
 
 // Do at most `budget` units of work, a node of a pass each. Returns NCK_OK (call again) or NCK_DONE
-// (w is the plan). The whole takes 17 passes, 24·n units at most. Context: any one context.
+// (vv is the plan). The whole takes 17 passes, 24·n units at most. Context: any one context.
 nck_status_t nck_profile_step(nck_profile_t *self, uint32_t budget);
 
 // 1 if the plan goes on from the entry state within rule R: speed met, no change of acceleration

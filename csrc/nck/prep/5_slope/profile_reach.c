@@ -9,27 +9,27 @@
 
 uint32_t nck_profile_reach_back(nck_profile_t *self, uint32_t budget) {
     const uint32_t count = nck_profile_left_back(self, budget);
-    const double *const w_cap = self->w_cap;
+    const double *const vv_cap = self->vv_cap;
     const double *const a_max = self->a_max;
     const double *const h = self->h;
-    double *const w = self->w;
+    double *const vv = self->vv;
     uint32_t i = self->i;
     const int begins = i == self->n;
-    double reach = begins ? w_cap[i] : w[i + 1];
-    if (begins) w[i--] = reach;
+    double reach = begins ? vv_cap[i] : vv[i + 1];
+    if (begins) vv[i--] = reach;
     for (uint32_t n = begins ? 1 : 0; n < count; n++, i--) {
-        reach = nck_min(w_cap[i], reach + 2.0 * a_max[i] * h[i]);
-        w[i] = reach;
+        reach = nck_min(vv_cap[i], reach + 2.0 * a_max[i] * h[i]);
+        vv[i] = reach;
     }
     self->i = i;
     return count;
 }
 
 static void reach_first(nck_profile_t *self) {
-    self->w[0] = nck_min(self->w[0], self->v * self->v);
-    self->e[0] = self->w[0];
+    self->vv[0] = nck_min(self->vv[0], self->v * self->v);
+    self->e[0] = self->vv[0];
     self->s[0] = 0.0;
-    self->v_last = nck_sqrt(self->w[0]);
+    self->v_last = nck_sqrt(self->vv[0]);
     self->last = UINT32_MAX;
     self->first = self->n + 1;
     self->j[self->n] = 0.0;
@@ -47,13 +47,13 @@ uint32_t nck_profile_reach_forth(nck_profile_t *self, uint32_t budget) {
     const double *const a_max = self->a_max;
     const double *const j_max = self->j_max;
     const double *const h = self->h;
-    double *const w = self->w;
+    double *const vv = self->vv;
     const double most = 0.5 * self->q_cap;
     const size_t end = self->i + count;
     if (self->i == 0) reach_first(self);
     const size_t begin = self->i > 0 ? self->i : 1;
     double bound = begin > 1 ? self->down[begin - 2] : a_max[0];
-    double reach = w[begin - 1];
+    double reach = vv[begin - 1];
     double s = self->s[begin - 1];
     double v_last = self->v_last;
     double j_last = begin > 1 ? j_max[begin - 2] : 0.0;
@@ -62,10 +62,10 @@ uint32_t nck_profile_reach_forth(nck_profile_t *self, uint32_t budget) {
         const double a = a_max[cell];
         self->j[cell] = nck_min(j_last, j_max[cell]);
         j_last = j_max[cell];
-        reach = nck_min(w[i], reach + 2.0 * a * h[cell]);
+        reach = nck_min(vv[i], reach + 2.0 * a * h[cell]);
         s += h[cell];
         const double v = nck_sqrt(reach);
-        w[i] = reach;
+        vv[i] = reach;
         self->e[i] = reach;
         self->s[i] = s;
         self->z[cell] = nck_hull_share(h[cell], v_last + v, most);
@@ -114,11 +114,11 @@ uint32_t nck_profile_ramp_forth(nck_profile_t *self, uint32_t budget) {
     const double *const e = self->e;
     const double *const up = self->up;
     const double *const h = self->h;
-    double *const w = self->w;
+    double *const vv = self->vv;
     const uint32_t end = self->i + count;
-    if (self->i == 0) w[0] = e[0];
+    if (self->i == 0) vv[0] = e[0];
     for (uint32_t i = self->i > 0 ? self->i : 1; i < end; i++) {
-        w[i] = nck_min(e[i], w[i - 1] + 2.0 * up[i - 1] * h[i - 1]);
+        vv[i] = nck_min(e[i], vv[i - 1] + 2.0 * up[i - 1] * h[i - 1]);
     }
     self->i = end;
     return count;

@@ -20,18 +20,18 @@ static inline uint32_t nck_profile_left_forth(const nck_profile_t *self, uint32_
     return left < budget ? left : budget;
 }
 
-// w: what can be braked from, backward, by acceleration alone.
+// vv: what can be braked from, backward, by acceleration alone.
 uint32_t nck_profile_reach_back(nck_profile_t *self, uint32_t budget);
 
-// w: what can be reached as well, forward. Also the bound on deceleration, which falls into a
+// vv: what can be reached as well, forward. Also the bound on deceleration, which falls into a
 // stretch of less no faster than the jerk lets it; the last cell where the limit steps; and j.
 uint32_t nck_profile_reach_forth(nck_profile_t *self, uint32_t budget);
 
 // The same for the bound on acceleration, from the last step on: behind it nothing changes. e: the
-// envelope backward; w stays, for its durations.
+// envelope backward; vv stays, for its durations.
 uint32_t nck_profile_ramp_back(nck_profile_t *self, uint32_t budget);
 
-// w: the envelope under both bounds, U, from the first node on that the ramps change.
+// vv: the envelope under both bounds, U, from the first node on that the ramps change.
 uint32_t nck_profile_ramp_forth(nck_profile_t *self, uint32_t budget);
 
 #endif

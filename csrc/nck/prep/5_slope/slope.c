@@ -6,7 +6,7 @@
 #include <stddef.h> // offsetof
 #include <string.h> // memset
 
-#include "nck/base/fence.h"           // nck_fence_load nck_fence_store
+#include "nck/base/fence.h"           // nck_fence_store
 #include "nck/base/real.h"            // nck_max
 #include "nck/prep/5_slope/planner.h" // nck_planner_…
 

@@ -28,12 +28,12 @@ static uint8_t ramp_limit(const nck_node_t *piece, double a) {
 typedef struct leg {
     double s;      // where it begins [path mm]
     double length; // [path mm]
-    double w[2];   // v² at its begin and end
+    double vv[2];  // v² at its begin and end
     double v[2];   // their roots
 } leg_t;
 
 static inline void set_leg(nck_cell_t *cell, const nck_node_t *piece, const leg_t *leg) {
-    const double *const w = leg->w;
+    const double *const vv = leg->vv;
     cell->seg = piece->seg;
     cell->stop = 0;
     cell->last = 0;
@@ -41,18 +41,18 @@ static inline void set_leg(nck_cell_t *cell, const nck_node_t *piece, const leg_
     cell->s = leg->s;
     cell->length = leg->length;
     cell->v = leg->v[0];
-    cell->a = nck_ramp_accel(leg->length, w[0], w[1]);
+    cell->a = nck_ramp_accel(leg->length, vv[0], vv[1]);
     cell->j = 0.0;
     cell->duration = nck_ramp_duration(leg->length, leg->v[0], leg->v[1]);
-    cell->limit = w[0] == w[1] && w[0] == piece->vv_piece ? piece->limit_piece
+    cell->limit = vv[0] == vv[1] && vv[0] == piece->vv_piece ? piece->limit_piece
                                                           : ramp_limit(piece, cell->a);
 }
 
-// From path coordinate s on, between w[0] and w[1].
+// From path coordinate s on, between vv[0] and vv[1].
 static void set_cell(nck_cell_t *cell, const nck_node_t *piece, double s, double length,
-                     const double w[2]) {
+                     const double vv[2]) {
     const leg_t leg = {
-        s, length, {w[0], w[1]}, {nck_sqrt(w[0]), nck_sqrt(w[1])}};
+        s, length, {vv[0], vv[1]}, {nck_sqrt(vv[0]), nck_sqrt(vv[1])}};
     set_leg(cell, piece, &leg);
 }
 
@@ -110,8 +110,8 @@ int nck_trapezoid_brake(const nck_node_t *piece, const nck_span_t *span, nck_cel
     const int is_end = is_all && reach <= span->length * (1.0 + REST_EPSILON);
     const int rests = !is_all || is_end || vv_end == 0.0 || span->vv_out == 0.0;
     const double length = is_all ? span->length : reach;
-    const double w[2] = {span->vv_in, rests ? 0.0 : vv_end};
-    set_cell(cell_out, piece, span->s, length, w);
+    const double vv[2] = {span->vv_in, rests ? 0.0 : vv_end};
+    set_cell(cell_out, piece, span->s, length, vv);
     cell_out->limit = NCK_LIMIT_STARVED;
     cell_out->last = length < span->length ? 0 : piece->last;
     cell_out->stop = (uint8_t)rests;

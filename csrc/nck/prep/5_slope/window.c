@@ -54,7 +54,7 @@ static void push(nck_jerk_t *self, uint32_t piece, double s, double h, double vv
     self->rung_piece[n] = piece;
     self->rung_s[n] = s;
     self->h[n] = h;
-    self->w[n] = vv;
+    self->vv[n] = vv;
     self->work.length += h;
     self->work.n++;
 }
@@ -121,7 +121,7 @@ static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cel
     uint32_t piece = nck_plan_find(pieces, self->work.piece, cell);
     double s = cell->s;
     double begin = 0.0;
-    self->work.w_entry = cell->v * cell->v;
+    self->work.vv_entry = cell->v * cell->v;
     if (parts == 1 && !is_hold) return load_whole(self, pieces, cell, piece);
     for (int k = 1; k <= parts; k++) {
         if (self->work.n == NCK_JERK_CELLS) return 0;
@@ -239,8 +239,8 @@ static void close_pending(nck_jerk_t *self, const nck_pieces_t *pieces) {
 // At a piece's end the path may be faster than at its start, if the next one's lets it.
 static inline void gain_entry(nck_jerk_t *self, const piece_view_t *view) {
     const nck_node_t *const piece = view->piece;
-    if (view->next && self->work.w_entry >= nck_window_node_cap(self, view->next)) return;
-    self->work.w_entry += nck_ladder_gain(piece->length, piece->a, piece->j * self->j_scale);
+    if (view->next && self->work.vv_entry >= nck_window_node_cap(self, view->next)) return;
+    self->work.vv_entry += nck_ladder_gain(piece->length, piece->a, piece->j * self->j_scale);
 }
 
 // The ladder has come to the end of a piece.
@@ -273,31 +273,31 @@ static int joins_pending(const nck_jerk_t *self, const nck_node_t *piece, double
 static inline double exit_cap(const nck_jerk_t *self, const piece_view_t *view) {
     const nck_node_t *const next = view->next;
     const nck_node_t *const second = view->second;
-    const double w_end = next->stop || !second ? 0.0 : nck_window_node_cap(self, second);
+    const double vv_end = next->stop || !second ? 0.0 : nck_window_node_cap(self, second);
     const double cap = nck_window_node_cap(self, next);
-    if (w_end >= cap) return cap;
+    if (vv_end >= cap) return cap;
     const double gain = nck_ladder_gain(next->length, next->a, next->j * self->j_scale);
-    return nck_min(cap, w_end + gain);
+    return nck_min(cap, vv_end + gain);
 }
 
 // How near the ends of a piece the speed may change at all: a ramp, and what hulls round. Where no
 // more is left between than a few long cells, they are not worth it.
 static double find_even(const nck_jerk_t *self, const nck_ladder_piece_t *rungs, double left) {
     const double least_s = LONG_LEAST * self->long_steps * self->step_s;
-    if (!(self->long_steps > 1.0) || left * left < least_s * least_s * rungs->w) {
+    if (!(self->long_steps > 1.0) || left * left < least_s * least_s * rungs->vv) {
         return NCK_JERK_UNKNOWN;
     }
-    const double v = nck_sqrt(rungs->w);
+    const double v = nck_sqrt(rungs->vv);
     const nck_scurve_t ramp = {rungs->a, rungs->j, v};
-    const double length = nck_scurve_length(&ramp, nck_sqrt(nck_min(rungs->w0, rungs->w1)), v);
+    const double length = nck_scurve_length(&ramp, nck_sqrt(nck_min(rungs->vv0, rungs->vv1)), v);
     const double even = length + HULL_STEPS * self->step_s * v;
     return left - 2.0 * even > least_s * v ? even : NCK_JERK_UNKNOWN;
 }
 
 // How near the ends of a piece, or of what is left of it, the ladder is finer than far from them.
 static void find_far(nck_jerk_t *self, const nck_ladder_piece_t *rungs, double x, double left) {
-    const double w_low = nck_min(rungs->w0, rungs->w1);
-    self->work.far = nck_ladder_far(rungs->w - w_low, rungs->a, rungs->j);
+    const double vv_low = nck_min(rungs->vv0, rungs->vv1);
+    self->work.far = nck_ladder_far(rungs->vv - vv_low, rungs->a, rungs->j);
     self->work.far_s = x;
     self->work.even = find_even(self, rungs, left);
 }
@@ -328,9 +328,9 @@ static void look(const nck_jerk_t *self, const nck_pieces_t *pieces, ground_t *g
     const piece_view_t *const view = &ground->view;
     const nck_node_t *const piece = view->piece;
     const int rests = rests_behind(self, pieces, view);
-    const double w = nck_window_cap(self, piece);
-    const double w1 = rests || !view->next ? 0.0 : nck_min(w, exit_cap(self, view));
-    const nck_ladder_piece_t rungs = {0.0, w1, w, piece->a, piece->j * self->j_scale};
+    const double vv = nck_window_cap(self, piece);
+    const double vv1 = rests || !view->next ? 0.0 : nck_min(vv, exit_cap(self, view));
+    const nck_ladder_piece_t rungs = {0.0, vv1, vv, piece->a, piece->j * self->j_scale};
     ground->rests = rests;
     ground->end = end_of(piece);
     ground->rounding = nck_window_rounding(piece, 0.0);
@@ -342,13 +342,13 @@ static void look(const nck_jerk_t *self, const nck_pieces_t *pieces, ground_t *g
 static void begin_ground(nck_jerk_t *self, ground_t *ground, double x, double left) {
     nck_ladder_piece_t *const rungs = &ground->rungs;
     if (x == 0.0) {
-        const double w_node = nck_min(rungs->w, nck_window_node_cap(self, ground->view.piece));
-        self->work.w_entry = nck_min(w_node, self->work.w_entry);
+        const double vv_node = nck_min(rungs->vv, nck_window_node_cap(self, ground->view.piece));
+        self->work.vv_entry = nck_min(vv_node, self->work.vv_entry);
     }
-    rungs->w0 = self->work.w_entry;
+    rungs->vv0 = self->work.vv_entry;
     if (x == 0.0 || self->work.far == NCK_JERK_UNKNOWN) find_far(self, rungs, x, left);
-    ground->alone = rungs->w0 == 0.0 && rungs->w1 == 0.0;
-    ground->step = self->step_s * nck_sqrt(rungs->w);
+    ground->alone = rungs->vv0 == 0.0 && rungs->vv1 == 0.0;
+    ground->step = self->step_s * nck_sqrt(rungs->vv);
     ground->begun = 1;
 }
 
