@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Write the pages that tell what code tells, and the output in README.md.
+"""Write the pages that tell what code tells, and the output in README.md and docs/why.md.
 
 python docs/make_pages.py
 """
@@ -211,29 +211,33 @@ def diagnostics_page():
 
 
 BEGIN, END = "<!-- output -->\n", "<!-- /output -->"
-EXAMPLE = ("run", "pycnc/examples/first_part.ngc")
+EXAMPLES = {
+    "README.md": ("run", "pycnc/examples/first_part.ngc"),
+    "docs/why.md": ("why", "pycnc/examples/first_part.ngc", "--what-if", "path.slope=jerk",
+                    "--what-if", "axis.z.j_max_mm_s3=8e4"),
+}
 
 
-def example_output():
-    """Run the example of the README, and return the command and its output as Markdown."""
-    command = [sys.executable, "-c", "from pycnc.cli import main; main()", *EXAMPLE]
+def example_output(name):
+    """Run the example of a page, and return the command and its output as Markdown."""
+    command = [sys.executable, "-c", "from pycnc.cli import main; main()", *EXAMPLES[name]]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
-    lines = [f"$ pycnc {' '.join(EXAMPLE)}", *map(str.rstrip, done.stdout.splitlines())]
+    lines = [f"$ pycnc {' '.join(EXAMPLES[name])}", *map(str.rstrip, done.stdout.splitlines())]
     return "\n".join(["```", *lines, "```", ""])
 
 
-def split_readme(text):
-    """Return README's text before, in and after the output of the example."""
+def split_output(text):
+    """Return a page's text before, in and after the output of its example."""
     begin = text.index(BEGIN) + len(BEGIN)
     end = text.index(END, begin)
     return text[:begin], text[begin:end], text[end:]
 
 
-def write_readme():
-    """Renew the output in the README."""
-    readme = ROOT / "README.md"
-    before, _, after = split_readme(readme.read_text(encoding="utf-8"))
-    readme.write_text(before + example_output() + after, encoding="utf-8")
+def write_output(name):
+    """Renew the output in a page."""
+    page = ROOT / name
+    before, _, after = split_output(page.read_text(encoding="utf-8"))
+    page.write_text(before + example_output(name) + after, encoding="utf-8")
 
 
 JSON_HEAD = """\
@@ -425,7 +429,8 @@ def main():
     """Renew all pages."""
     for name, page in PAGES.items():
         (ROOT / "docs" / name).write_text(page(), encoding="utf-8")
-    write_readme()
+    for name in EXAMPLES:
+        write_output(name)
 
 
 if __name__ == "__main__":

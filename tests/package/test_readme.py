@@ -50,13 +50,14 @@ def test_the_readme_fits_on_two_screens():
     assert len((ROOT / "README.md").read_text(encoding="utf-8").splitlines()) <= 110
 
 
-def test_the_output_in_the_readme_is_what_the_command_prints():
+@pytest.mark.parametrize("name", ["README.md", "docs/why.md"])
+def test_the_output_in_a_page_is_what_the_command_prints(name):
     spec = importlib.util.spec_from_file_location("make_pages", ROOT / "docs" / "make_pages.py")
     pages = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(pages)
-    _, shown, _ = pages.split_readme((ROOT / "README.md").read_text(encoding="utf-8"))
+    _, shown, _ = pages.split_output((ROOT / name).read_text(encoding="utf-8"))
     clock = r"simulated in .*"  # how busy this computer is
-    now = re.sub(clock, "", pages.example_output())
+    now = re.sub(clock, "", pages.example_output(name))
     assert re.sub(clock, "", shown) == now, "run docs/make_pages.py"
 
 
