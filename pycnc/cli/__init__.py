@@ -67,7 +67,7 @@ def check(
     tools: Tools = None, from_line: FromLine = None, programs: Programs = None,
     zero: Zero = None, json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
 ):  # fmt: skip
-    """Tell all diagnostics of programs, without planning."""
+    """Tell all errors and warnings of programs, without planning."""
     mill = machine_of(
         machine, set, tools, dialect, from_line=from_line, programs=programs, zero=zero,
         quiet=quiet,
@@ -98,7 +98,10 @@ def canon(
     tools: Tools = None, units: Annotated[Units, typer.Option(help="Units of the listing.")] = "mm",
     zero: Zero = None, json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
-    """List the decoded motions: one a line, machine coordinates of the tool tip."""
+    """List the decoded motions, one a line.
+
+    Places are those of the tool tip, in machine coordinates.
+    """
     from pycnc.report import listing
 
     mill = machine_of(machine, set, tools, dialect, zero=zero, quiet=quiet)
@@ -180,7 +183,7 @@ def controller(
     set: Set = None, tools: Tools = None, prep_steps: PrepSteps = None,
     json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
-    """Run a program on a controller: the firmware, with its tasks and interrupts."""
+    """Run a program on the firmware, with its tasks and interrupts."""
     from pycnc import controller, kernel
 
     mill = machine_of(machine, set, tools, dialect, slope=slope, quiet=quiet)
@@ -212,7 +215,10 @@ def plot(
     set: Set = None, tools: Tools = None, zero: Zero = None, json_: Json = False,
     quiet: Quiet = False,
 ):  # fmt: skip
-    """Draw the path coloured by the speed really reached, and speed and acceleration over time."""
+    """Draw the path, coloured by speed, and its speed over time.
+
+    The speed is the one that is really reached. Acceleration is drawn, too.
+    """
     from pycnc.report import trace
 
     output = next_to(file, ".png") if output is None else output
@@ -237,7 +243,10 @@ def bench(
         "--live", help="Subject linuxcnc: in the LinuxCNC that is installed here.")] = False,
     json_: Json = False,
 ):  # fmt: skip
-    """Print one table of a benchmark, in a checkout; some subjects draw figures too."""
+    """Print one table of a benchmark, in a checkout.
+
+    Some subjects draw figures, too.
+    """
     bench = of_tree("pycnc.bench")
     if name is None:
         print("\n".join(bench.SUBJECTS))

@@ -13,10 +13,7 @@ from pycnc.cli.words import GOOD, OUTSIDE, WRONG, fail, look_at, progress
 from pycnc.names import DEFAULT
 
 _LOGS = (".npz", ".csv", ".parquet")
-Operand = Annotated[
-    str,
-    typer.Argument(help="NC program (it is run), trace (.npz, .csv, .parquet) or log (.csv)."),
-]
+_OPERAND = "NC program (it is run), trace (.npz, .csv, .parquet) or log (.csv)."
 Columns = Annotated[
     str | None,
     typer.Option(
@@ -28,7 +25,9 @@ Columns = Annotated[
 
 @verb(app, "compare part.ngc part.ngc --set-b path.tolerance_mm=0.1")
 def compare(
-    *, a: Operand, b: Operand, map_: Columns = None, machine: MachineName = DEFAULT,
+    *, a: Annotated[str, typer.Argument(metavar="A", help=_OPERAND)],
+    b: Annotated[str, typer.Argument(metavar="B", help=_OPERAND)],
+    map_: Columns = None, machine: MachineName = DEFAULT,
     machine_b: Annotated[str | None, typer.Option(help="Another machine for B.")] = None,
     set: Set = None,
     set_b: Annotated[list[str] | None, typer.Option(

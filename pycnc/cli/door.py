@@ -64,7 +64,7 @@ linuxcnc = typer.Typer(no_args_is_help=True, help="The kernel as LinuxCNC's traj
 app.add_typer(linuxcnc, name="linuxcnc")
 lab = typer.Typer(
     no_args_is_help=True,
-    help="What shops do not ask for: other planners, the firmware, measurements.",
+    help="Other planners, the firmware, measurements: not for every day.",
 )
 app.add_typer(lab, name="lab")
 LAB = ("plan", "backend", "prep_steps")  # options that a verb has in the lab alone

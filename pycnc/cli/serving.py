@@ -38,7 +38,10 @@ def serve(
     dialect: DialectName = None, slope: SlopeName = None, set: Set = None, tools: Tools = None,
     quiet: Quiet = False,
 ):  # fmt: skip
-    """Be a machine that speaks grbl 1.1, for senders to try; docs/serve.md."""
+    """Be a machine that speaks grbl 1.1, for senders to try.
+
+    What it understands stands in docs/serve.md.
+    """
     from pycnc.controller import serving
 
     if pty is not None and tcp is not None:

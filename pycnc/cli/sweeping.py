@@ -45,7 +45,7 @@ def sweep(
     dialect: DialectName = None, slope: SlopeName = None, tools: Tools = None, jobs: Jobs = 1,
     cluster: _Cluster = None, json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
-    """Plan programs on a grid of settings: how long they take with each.
+    """Tell how long programs take with each setting of a grid.
 
     From a tenfold range on, values go up by equal ratios, else in equal steps.
     """

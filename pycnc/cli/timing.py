@@ -192,10 +192,11 @@ def why(
     dialect: DialectName = None, slope: SlopeName = None, set: Set = None, tools: Tools = None,
     zero: Zero = None, json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
-    """Tell which limit costs how much time, on which lines, and what a cure would gain.
+    """Tell what costs time, on which lines, and what would help.
 
     Lost is what the plan takes longer than the programmed feed, the speed of rapids and dwells
-    would; a ramp belongs to the corner, arc or stop that it serves. Like places are one row.
+    would. Speeding up and braking count to the corner, arc or stop that they serve. Places of one
+    kind are one row.
     """
     from pycnc.planning import pipeline
     from pycnc.planning.plan import Plan
@@ -232,7 +233,7 @@ def report(
     dialect: DialectName = None, slope: SlopeName = None, set: Set = None, tools: Tools = None,
     zero: Zero = None, json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
-    """Write one page for a browser: path, curves, program, and what holds it back where.
+    """Write one page for a browser: path, curves, program, lost time.
 
     The page needs no network, and nothing beside it.
     """
@@ -252,7 +253,7 @@ def look(
     dialect: DialectName = None, slope: SlopeName = None, set: Set = None, tools: Tools = None,
     zero: Zero = None, json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
-    """Check a program, tell its time and what holds it back, and write its page.
+    """Check a program, tell its time and why, and write its page.
 
     The same as the program alone: pycnc part.ngc.
     """
