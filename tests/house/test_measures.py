@@ -63,6 +63,12 @@ def test_a_joint_is_an_axis_drive_and_nothing_else():
     assert [name for name in prep if word.search(house.read(name))] == []
 
 
+def test_a_speed_squared_is_vv_and_nothing_else():
+    other = re.compile(r"\bw_(cap|start|end|feed|most|in|out)\b|\bw = v²")
+    ours = [name for name in house.SOURCES + house.PAGES if not name.startswith("tests/house/")]
+    assert [name for name in ours if other.search(house.read(name))] == []
+
+
 def test_no_rule_stands_in_two_files():
     double = measures.doubles()
     assert [names for names in double if "5_slope" not in names[0]] == []
