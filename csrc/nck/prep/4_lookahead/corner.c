@@ -240,13 +240,6 @@ static nck_status_t decide_crowd(nck_lookahead_t *self, const crossing_t *crossi
     return NCK_OK;
 }
 
-// Whether a neighbour that hangs on a seg still to come may be nearer than reach: then no walk so
-// far comes to an end, and none is begun.
-static int is_open(const nck_lookahead_t *self, const crossing_t *crossing, double reach) {
-    const int is_last = crossing->count + 2 == self->junction.head;
-    return is_last && !self->ended && crossing->out->length < reach;
-}
-
 // Speed and share at a pace of a junction that may share a period with others.
 static nck_status_t decide_near(nck_lookahead_t *self, const crossing_t *crossing, int pace,
                                 double v, double reach) {
@@ -266,7 +259,10 @@ static inline nck_status_t decide_pace(nck_lookahead_t *self, const crossing_t *
         settle_alone(self, crossing, pace, v);
         return NCK_OK;
     }
-    if (is_open(self, crossing, reach)) return NCK_EMPTY;
+    // A neighbour that hangs on a seg still to come may be nearer: no walk so far would come to an
+    // end, and none is begun.
+    const int is_last = crossing->count + 2 == self->junction.head;
+    if (is_last && !self->ended && crossing->out->length < reach) return NCK_EMPTY;
     return decide_near(self, crossing, pace, v, reach);
 }
 

@@ -119,13 +119,6 @@ static inline void begin(nck_junction_t *junction, const nck_seg_t *seg) {
     }
 }
 
-// A rest has no cap of its own.
-static void make_rest(nck_junction_t *junction, const nck_seg_t *seg) {
-    junction->j_straight = 0.0;
-    junction->a_most = 0.0;
-    junction->shape.dwell_s = nck_thread_rest_s(seg);
-}
-
 // What accelerates at a has come from a = 0 at rest, what brakes at a has to come to it:
 //   v ≥ a²/2j,   a ≤ √(2v·j)
 // More than that is never had, and a profile is the nearer to its optimum the less it may have.
@@ -177,8 +170,10 @@ static void make_clocked(nck_junction_t *junction, const nck_seg_t *seg, const n
 void nck_junction_make(nck_junction_t *junction, const nck_seg_t *seg, const double *tangent_start,
                        const double *tangent_end, const nck_terms_t *terms) {
     begin(junction, seg);
-    if (seg->kind >= NCK_SEG_DWELL) {
-        make_rest(junction, seg);
+    if (seg->kind >= NCK_SEG_DWELL) { // a rest has no cap of its own
+        junction->j_straight = 0.0;
+        junction->a_most = 0.0;
+        junction->shape.dwell_s = nck_thread_rest_s(seg);
         return;
     }
     if (NCK_HAS_OPTIMAL && seg->kind == NCK_SEG_SPLINE) {

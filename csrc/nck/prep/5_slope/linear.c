@@ -78,28 +78,22 @@ static void enter_brake(nck_linear_t *self) {
     self->phase = PHASE_BRAKE;
 }
 
-// Whether the plan goes on where the last part ended: v² there is known to the bit.
-static int goes_on(const nck_linear_t *self) {
-    const nck_plan_t *const next = self->next;
-    return !self->job.anew && self->at.piece == next->piece
-           && (self->at.fresh || self->at.s == next->s);
-}
-
-static void set_place(nck_linear_t *self) {
-    self->at.piece = self->next->piece;
-    self->at.fresh = 0;
-    self->at.s = self->next->s;
-    self->at.vv = self->job.v * self->job.v;
-    self->final = self->at.piece;
-    self->legs.count = 0;
-}
-
 void nck_linear_begin(nck_linear_t *self, const nck_job_t *job) {
     self->job = *job;
     self->is_plain = (uint8_t)nck_plan_is_plain(&job->wish, self->next->over);
     self->part = 0;
     self->skip = self->next->piece;
-    if (!goes_on(self)) set_place(self);
+    // Where the last part ended v² is known to the bit.
+    const int goes_on = !job->anew && self->at.piece == self->next->piece
+                        && (self->at.fresh || self->at.s == self->next->s);
+    if (!goes_on) {
+        self->at.piece = self->next->piece;
+        self->at.fresh = 0;
+        self->at.s = self->next->s;
+        self->at.vv = job->v * job->v;
+        self->final = self->at.piece;
+        self->legs.count = 0;
+    }
     if (job->kind == NCK_JOB_BRAKE) {
         self->next->held = job->held;
         nck_link_tail_begin(self->link);
@@ -182,14 +176,6 @@ static nck_status_t begin_pass(nck_linear_t *self, const nck_pieces_t *pieces) {
     return NCK_OK;
 }
 
-static void begin_backward(nck_linear_t *self, const nck_pieces_t *pieces) {
-    self->pass.floor = self->pass.i;
-    self->pass.i = self->end;
-    self->pass.vv = 0.0;
-    self->pass.open = !nck_plan_piece(pieces, self->end - 1)->stop;
-    self->phase = PHASE_BACKWARD;
-}
-
 // Under other wishes the path may be faster than its caps allow: it brakes with all of a, as the
 // plan of now can.
 static void raise_floor(nck_linear_t *self, const nck_pieces_t *pieces) {
@@ -206,7 +192,11 @@ static void raise_floor(nck_linear_t *self, const nck_pieces_t *pieces) {
         self->pass.i++;
     }
     if (raises && self->pass.i != self->end && self->pass.vv > 0.0) return;
-    begin_backward(self, pieces);
+    self->pass.floor = self->pass.i;
+    self->pass.i = self->end;
+    self->pass.vv = 0.0;
+    self->pass.open = !nck_plan_piece(pieces, self->end - 1)->stop;
+    self->phase = PHASE_BACKWARD;
 }
 
 // Single block rests at the end of the piece before this node.
@@ -340,13 +330,6 @@ static int draw_slice(nck_linear_t *self) {
     return ends;
 }
 
-// The piece is drawn: go on at the next one, at its envelope to the bit.
-static void leave_piece(nck_linear_t *self) {
-    self->at.piece++;
-    self->at.fresh = 1;
-    self->at.vv = self->vv_out;
-}
-
 static void set_end(nck_linear_t *self, const nck_linear_place_t *place) {
     self->next->end_piece = place->piece;
     self->next->end_s = place->fresh ? NCK_PLAN_BEGIN : place->s;
@@ -382,7 +365,9 @@ static inline nck_status_t draw_one(nck_linear_t *self, const nck_pieces_t *piec
     }
     if (!draw_slice(self)) return NCK_EMPTY;
     *at = nck_plan_behind(pieces, piece);
-    leave_piece(self);
+    self->at.piece++;
+    self->at.fresh = 1;
+    self->at.vv = self->vv_out; // its envelope to the bit
     const int rests = piece->stop || !(piece->length > 0.0);
     return rests ? finish_at_rest(self) : NCK_EMPTY; // a tail has one rest, at its end
 }
