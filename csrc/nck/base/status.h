@@ -112,7 +112,7 @@ typedef enum nck_status {
 } nck_status_t;
 
 // Notes: assumed defaults and the like. Not errors; at most one of each in a program, but for
-// NCK_NOTE_CALLED, NCK_NOTE_COMP_LEFT and NCK_NOTE_COMP_WAY.
+// NCK_NOTE_CALLED, NCK_NOTE_COMP_LEFT, NCK_NOTE_COMP_WAY and, of each code one, NCK_NOTE_MODE.
 typedef enum nck_note {
     NCK_NOTE_UNITS = 1,      // "assumed-units": motion before G20 or G21
     NCK_NOTE_PLANE = 2,      // "assumed-plane": an arc before G17, G18 or G19

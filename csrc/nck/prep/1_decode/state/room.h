@@ -172,6 +172,7 @@ typedef struct nck_decode {
         uint32_t count;                               // of them
         uint32_t lost;                                // findings that met a full queue
         uint32_t notes;                               // bit k: note k was given
+        uint32_t modes;                               // codes that NCK_NOTE_MODE told, mode.c
         uint32_t given;                               // bit k: the program says what note k assumes
     } finding;
 
