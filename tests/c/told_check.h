@@ -24,9 +24,8 @@
 
 // A build that leaves something out refuses what these tables say; other tests hold what it says
 // then.
-#define TOLD_WHOLE                                                                    \
-    (NCK_HAS_CALLS && NCK_HAS_CONTOUR && NCK_HAS_LAYOUTS && NCK_HAS_COMP && NCK_HAS_OPTIMAL \
-     && NCK_AXIS_MAX == 9)
+#define TOLD_WHOLE                                                   \
+    (NCK_HAS_CALLS && NCK_HAS_CONTOUR && NCK_HAS_LAYOUTS && NCK_HAS_COMP && NCK_AXIS_MAX == 9)
 
 enum { TOLD_MAX = 8192, TOLD_TURNS = 4000 };
 
@@ -350,13 +349,37 @@ static inline void told_run(told_t *self, const char *text) {
     if (status != NCK_DONE) told_add(self, "; never ends");
 }
 
+// The next part of what is told, and how long it is. A build that does not smooth tells so at the
+// first tolerance, and no longer where one is too small: that is no part there.
+static inline const char *told_part(const char *at, size_t *size_out) {
+    for (;;) {
+        at += strspn(at, "; ");
+        *size_out = strcspn(at, ";");
+        const char *const note = NCK_HAS_OPTIMAL ? NULL : strstr(at, " no-tolerance");
+        if (note == NULL || note > at + *size_out) return at;
+        at += *size_out;
+    }
+}
+
+static inline int told_same(const char *got, const char *want) {
+    size_t size, wanted;
+    do {
+        got = told_part(got, &size);
+        want = told_part(want, &wanted);
+        if (size != wanted || memcmp(got, want, size) != 0) return 0;
+        got += size;
+        want += size;
+    } while (size > 0);
+    return 1;
+}
+
 // Hold every program of a table against what it is told to do, read in place and in pieces.
 static inline void told_check(check_t *check, told_t *self, const told_row_t *rows, size_t count) {
     for (size_t k = 0; k < 2 * count; k++) {
         const told_row_t *const row = &rows[k / 2];
         self->hooked = (int)(k % 2);
         told_run(self, row->program);
-        const int same = strcmp(self->text, row->told) == 0;
+        const int same = told_same(self->text, row->told);
         if (check_that(check, same, row->program, __FILE__, __LINE__)) continue;
         printf("    got  %s\n    want %s\n", self->text, row->told);
     }

@@ -25,7 +25,7 @@ static void push(const nck_block_in_t *in) {
 }
 
 static void check_told(check_t *check, const char *want) {
-    if (check_that(check, strcmp(self.text, want) == 0, want, __FILE__, __LINE__)) return;
+    if (check_that(check, told_same(self.text, want), want, __FILE__, __LINE__)) return;
     printf("    got  %s\n", self.text);
 }
 

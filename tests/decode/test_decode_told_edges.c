@@ -105,7 +105,7 @@ static const told_row_t fremarks_rows[] = {
     {"(a(b)\nG0 X1.\n(abort, x)\nX2.\n(a ) b)\nX3.\n(x) X4. (y) Y5.\n;X5.\nX6. ; Y7.\n<a>\n"
      "\"x\"\nX7.\n",
      "2 rapid X1; 4 rapid X2; !5:6 number B; 6 rapid X3; 7 rapid X4 Y5; 9 rapid X6;"
-     " !10:1 character 60/0; !11:1 character 34/0; 12 rapid X7"},
+     " !11:1 character 34/0; 12 rapid X7"},
 };
 
 static void a_remark_of_fanucs_is_no_word(check_t *check) {

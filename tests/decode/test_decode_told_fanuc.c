@@ -148,7 +148,7 @@ static const told_row_t fanuc_rows[] = {
      "X#4001 Y#4002 Z#4003\nX#4005 Y#4006 Z#4014\nX#4109 Y#4113 Z#4119\nX#4120 Y#4111 Z#4107\n"
      "#5221=7.\nX1.\nX#5221\n#5201=1.\nX1.\nX#5241\n#5222=#5221 Y0\n#2001=1\nX#2001\n#1000=1\n"
      "X#1000\nX#3000\nX#3010\n",
-     "1 rapid X1 Y2 Z3; 2 rapid Y3; 3 rapid Z2; 4 rapid X0 Y17 Z90; !5:21 unsupported # 4014/0;"
+     "1 rapid X1 Y2 Z3; 2 rapid Y3; 3 rapid Z2; 4 rapid X0 Y17 Z90; 5 rapid X94 Y21 Z54;"
      " !6:15 unsupported # 4113/0; !7:15 unsupported # 4111/0; 9 rapid X8; 10 rapid X14;"
      " 12 rapid X9; 13 rapid X8; !14:13 word-shared # 5222/0; !15:1 unsupported # 2001/0;"
      " !16:7 unsupported # 2001/0; !17:1 unsupported # 1000/0; !18:7 unsupported # 1000/0;"

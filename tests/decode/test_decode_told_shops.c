@@ -8,9 +8,11 @@ static const told_row_t modes_rows[] = {
     {"G5 P10000\nG1 X1. F100.\nG5 P0\nG62\nG61\nX2.\nG61.1\nX3.\nG187 P2 E.2\nX4.\nG187\nX5.\n"
      "G187 P1\nG05.1 Q1\nG8 P1\nG5\nG5.1\nG5.1 Q1 X9.\nG187 E-1.\nG13.1 G23\nX6.\nG10.9\n"
      "G10.9 X1.\nX7.\n",
-     "?1:1 mode-stays G 5/0; 2 line X1 F100; 6 line X2 stop P0 Q0; 8 line X3 smooth P0.01 Q0.01;"
-     " 10 line X4 P0.2 Q0.2; 12 line X5 P0.01 Q0.01; !16:1 word-missing P; !17:1 word-missing Q;"
-     " !18:9 word-unused X; !19:6 number-range E -1/0; 21 line X6;"
+     "?1:1 mode-stays G 5/0; 2 line X1 F100; ?4:1 mode-stays G 62/0;"
+     " 6 line X2 stop P0 Q0; ?7:1 mode-stays G 61.1/0; 8 line X3 smooth P0.01 Q0.01;"
+     " 10 line X4 P0.2 Q0.2; 12 line X5 P0.01 Q0.01; ?13:1 mode-stays G 187/0;"
+     " ?14:1 mode-stays G 5.1/0; ?15:1 mode-stays G 8/0; !16:1 word-missing P;"
+     " !17:1 word-missing Q; !18:9 word-unused X; !19:6 number-range E -1/0; 21 line X6;"
      " !23:7 word-unused X; 24 line X7"},
 };
 
@@ -24,8 +26,8 @@ static const told_row_t dwells_rows[] = {
     {"G4 X#3007\nG4 X[#3008+1]\nG4 X#4014\nG59\nG4 X#4014\nG54.1 P2\nG4 X#4014\nG4 X#4010\nG99\n"
      "G4 X#4010\n#3007=1\nG4 X#3005\nG4 X#3009\n",
      "1 dwell for 0; 2 dwell for 1; 3 dwell for 54; 5 dwell for 59; 7 dwell for 54.1; 8 dwell for"
-     " 98; 10 dwell for 99; !11:1 unsupported # 3007/0; !12:5 unsupported # 3005/0;"
-     " !13:5 unsupported # 3009/0"},
+     " 98; 10 dwell for 99; !11:1 unsupported # 3007/0; !12:10 unsupported # 3005/0;"
+     " !13:10 unsupported # 3009/0"},
 };
 
 static void points_of_dwells_and_parameters_of_the_control(check_t *check) {
@@ -130,7 +132,8 @@ static const told_row_t printer_rows[] = {
     {"M84 X Y E\nM73 P5 R2\nM115 U3.11.0\nM862.3 P \"MK3S\"\nM862.7\nM862\nG28 W\nG29 A\nG10\n"
      "G28 X Y\nM300 S40 P10\nM600\nM0 wait for me\nG28 Z W ; home\n",
      "1 out M84; 2 out M73; 3 out M115; 4 out M862; !5:1 m-unknown M 862.7/0;"
-     " !6:1 m-unknown M 862/0; 7 rapid; 7 rapid; ?8:1 mode-stays G 29/0; 10 rapid; 10 rapid;"
+     " !6:1 m-unknown M 862/0; 7 rapid; 7 rapid; ?8:1 mode-stays G 29/0;"
+     " ?9:1 mode-stays G 10/0; 10 rapid; 10 rapid;"
      " 11 out M300; 12 wait M600; 13 wait M0; 14 rapid; 14 rapid"},
     {"N1 G0 X1*97\nN2 G0 X2*96\nN3 M117 50*2 of it*\nG0 X3*\nG0 X4 *5 X6\n",
      "1 rapid X1; !2:9 number-range * 96/97; 3 out M117; !4:6 number *; !5:7 number *"},
