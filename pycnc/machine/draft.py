@@ -81,7 +81,8 @@ class Draft:
 
     def _stand_within(self, letter):
         low, high = (self.limit(letter, end) for end in ("min", "max"))
-        place = max(low if low is not None else 0, min(high if high is not None else 0, 0))
+        place = 0 if high is None else min(high, 0)
+        place = place if low is None else max(low, place)
         if place != 0:
             for key in (f"{table}.{position_key(letter)}" for table in _PLACES):
                 self.values.setdefault(key, (place, "0 is outside of the travel"))

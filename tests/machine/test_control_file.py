@@ -2,6 +2,7 @@
 """A control's own configuration in a machine file's place, and what is in force at its start."""
 
 import random
+import tomllib
 
 import configurations
 import pytest
@@ -154,3 +155,12 @@ def test_g28_of_reprap_leads_to_its_switches(switch, wanted):
     text += f"{switch}\n"
     home = Machine.from_text(imported(text, "config.g")[1]).settings.home.g28
     assert tuple(float(home.along(letter)) for letter in "xyz") == wanted
+
+
+@pytest.mark.parametrize("up", [False, True])
+def test_an_axis_free_on_one_side_begins_within_the_other(up):
+    at = -10 if up else 10
+    axis = f"axes:\n  x:\n    max_travel_mm: 1e30\n    homing:\n      mpos_mm: {at}\n"
+    text = f"{axis}      positive_direction: {str(up).lower()}\n"
+    data = tomllib.loads(pycnc("machine", "import", "-", stdin=text.encode()).out)
+    assert data["start"]["x_mm"] == at
