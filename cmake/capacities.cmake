@@ -51,7 +51,7 @@ foreach(name IN ITEMS state/finding state/variables number/bits number/integer n
         macro/expression macro/jump macro/keep macro/oword macro/sign macro/system motion/corner
         motion/fillet motion/knots motion/probe motion/slant motion/spline motion/tap motion/thread
         lathe/contour lathe/follow lathe/level lathe/profile lathe/rough lathe/turn cycle/cycle
-        line/block_in entry source)
+        cycle/height line/block_in entry source)
     list(APPEND NCK_RARE_SOURCES prep/1_decode/${name})
 endforeach()
 foreach(name IN ITEMS clear contour entry give join judge level pieces ring shape toolcomp

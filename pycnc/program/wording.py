@@ -5,7 +5,7 @@ from pycnc.program.wording_motion import MOTION
 
 _STEPS = (
     "{found} counts from where the axis stands, and another code of its block changes that",
-    "put the other code on a line before",
+    "put the other code on a line before; a drilling cycle is told its depth by Z, or X",
 )
 _SETS = (
     "a control may take this {letter} for one of another set of I J K, and so another parameter",
@@ -88,7 +88,8 @@ WORDING = {
     ),
     "number-range:R": (
         "R{value} is out of range (limit {limit})",
-        "check number and units; in a cycle R lies above the bottom, a taper beside its end",
+        "check number and units; in a cycle R lies above the bottom, a taper beside its end, and "
+        "in system A R of G83 … G89 is a step from where the drill stands, 0 or less",
     ),
     "number-range:Q": ("Q{value} is no depth of a peck", "Q has no sign and is more than 0"),
     "line-length": (
@@ -398,6 +399,10 @@ WORDING = {
     "assumed-system": (
         "G90, G92 and G94 are read as cycles (Fanuc's G-code system A)",
         "if that is wrong: --set dialect.system=B (or C); if it is right, A says so",
+    ),
+    "assumed-peck": (
+        "pecks of G83 and G87 go back by 0.254 mm, as Fanuc's lathes are delivered (5101 bit 2: 0)",
+        "where that bit is 1, each goes out to R, and takes longer: write its moves by G1 and G0",
     ),
     "assumed-feed-mode": (
         "F is read per revolution, as Fanuc's lathes begin: no G98 or G99 (systems B and C: G94 or "

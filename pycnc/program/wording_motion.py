@@ -1,18 +1,15 @@
 # SPDX-License-Identifier: MIT
 """The words of the findings about cycles, contours, threads, compensation, splines and probes."""
 
-_TAPPING = (
-    "G{value}: tapping cycles are not supported on lathes that speak Fanuc's language",
-    "tap with G32 in and out, the spindle turned back between them, or --dialect linuxcnc: G33.1",
-)
 _RELIEF = (
     "R beside the end of G{value} moves the tool aside at the end of every cut, of the first one "
     "into the wall, which is not supported",
     "leave R out there, or R0; how far a peck goes back is the R of a line of its own before it",
 )
-_DRIVEN = (
-    "G{value} drills with a driven tool on Fanuc's lathes, which is not supported",
-    "drill on the axis with G1; --dialect linuxcnc for a program made for RS274NGC",
+_OF_MILLS = (
+    "G{value} is a drilling cycle of mills and of Haas' lathes, and none of Fanuc's lathes",
+    "G83 without Q drills, with P it rests; G85 bores: G83 Z… R… P… F…, where R of system A is a "
+    "step",
 )
 _PROBES = (
     "G{value}: this machine refuses probes",
@@ -108,9 +105,8 @@ MOTION = {
         "or both in one line, with K and D",
     ),
     "word-missing:M": ("G86 stops the spindle, which stands", "start it before the cycle"),
-    **{f"unsupported:G{code}:lathe": _TAPPING for code in (84, 88)},
     **{f"unsupported:G{code}:lathe": _RELIEF for code in (74, 75)},
-    **{f"unsupported:G{code}:lathe": _DRIVEN for code in (83, 85, 87, 89)},
+    **{f"unsupported:G{code}:lathe": _OF_MILLS for code in (81, 82, 86)},
     "unsupported:G87": ("G87 needs a spindle that stops at an angle", "bore from above"),
     "unsupported:G88": ("behind G88 nobody knows where the tool is", "use G86 or G89"),
     "unsupported:G93": ("inverse time (G93) is the time of one move", "use G94 in a cycle"),

@@ -180,7 +180,7 @@ static void what_a_cycle_lacks_is_told(check_t *check) {
     begin(NCK_DIALECT_FANUC);
     check_error(check, &self, "G90 F9 G81 X1 Z-2 R1 K2 L2\nM2\n", NCK_E_WORD_SHARED, 1, 22);
     self.machine.kinematics = NCK_KINEMATICS_LATHE_XZ;
-    check_error(check, &self, "F9 G83 Z-2 R1 Q2\nM2\n", NCK_E_UNSUPPORTED, 1, 4);
+    check_error(check, &self, "F9 G82 Z-2 R1 P2\nM2\n", NCK_E_UNSUPPORTED, 1, 4);
 }
 
 // Nothing moves until the whole row of holes is known to be within the travel.

@@ -135,7 +135,7 @@ static void what_another_system_may_mean_is_refused(check_t *check) {
     check_error(check, &self, "F9 G18 G0 X9 Z9\nG42 D1 X8\nG90 X4 Z-1\nM2\n", NCK_E_COMP_ON, 3, 0);
     begin(NCK_SYSTEM_B);
     check_error(check, &self, "G92 S500\nM2\n", NCK_OK, 0, 0);
-    check_error(check, &self, "G98\nM2\n", NCK_E_UNSUPPORTED, 1, 1);
+    check_error(check, &self, "G81\nM2\n", NCK_E_UNSUPPORTED, 1, 1);
     check_error(check, &self, "G0 U5\nM2\n", NCK_E_AXIS_UNKNOWN, 1, 4);
     begin(NCK_SYSTEM_C);
     check_error(check, &self, "G21\nM2\n", NCK_E_WORD_MISSING, 1, 1);

@@ -98,6 +98,38 @@ static const told_row_t cycles_rows[] = {
      "!1:12 modal-group G 81/0; !2:7 modal-group G 82/0; !3:4 word-shared P"},
 };
 
+// Fanuc's lathes, G-code system A.
+static const told_row_t lathe_rows[] = {
+    {"S500 M3\nG0 X0. Z5.\nG83 Z-9. R-2. Q4. P200 F.1\nG80\nG0 X40.\nG85 X30. Z-4. R-1. P500\n"
+     "X20. K2\n",
+     "1 out S500 per-rev; 1 out M3 S500; 2 rapid Z5; ?3:0 assumed-peck; 3 rapid~ Z3; 3 line~ Z-1"
+     " F0.1; 3 rapid~ Z-0.746; 3 line~ Z-5; 3 rapid~ Z-4.746; 3 line~ Z-9; 3 dwell for 0.2; 3"
+     " rapid~ Z5; 5 rapid X20; 6 rapid~ X15; 6 rapid~ Z4; 6 line~ Z-4; 6 dwell for 0.5; 6 line~"
+     " Z4 F0.2; 6 rapid~ Z5; 7 rapid~ X10; 7 rapid~ Z4; 7 line~ Z-4 F0.1; 7 dwell for 0.5; 7"
+     " line~ Z4 F0.2; 7 rapid~ Z5; 7 rapid~ Z4; 7 line~ Z-4 F0.1; 7 dwell for 0.5; 7 line~ Z4"
+     " F0.2; 7 rapid~ Z5"},
+    {"S500 M3\nG0 X40. Z5.\nG87 X30. R-2. Q2. F.1\nZ-9.\nG89 X32. P100\nG83 Z-12. X20.\n"
+     "G88 X30. R-4. F1.\nG84 Z-20. R-3. X10.\n",
+     "1 out S500 per-rev; 1 out M3 S500; 2 rapid X20 Z5; ?3:0 assumed-peck; 3 rapid~ X18; 3"
+     " line~ X16 F0.1; 3 rapid~ X16.254; 3 line~ X15; 3 rapid~ X20; 4 rapid~ Z-9; 4 rapid~ X18; 4"
+     " line~ X16; 4 rapid~ X16.254; 4 line~ X15; 4 rapid~ X20; 5 rapid~ X18; 5 line~ X16; 5 dwell"
+     " for 0.1; 5 line~ X18 F0.2; 5 rapid~ X20; 6 rapid~ X10; 6 line~ Z-12 F0.1; 6 rapid~ Z-9;"
+     " !7:10 number-range R 12/30; 8 rapid~ X5; 8 rapid~ Z-12; 8 tap by 0 0 -8 lead 1 for 2.104;"
+     " 8 rapid~ Z-9"},
+    {"S500 M3\nG0 X40. Z5.\nG83 X30. Z-9. F.1\nG83 Z-9. R2.\nG83 W-9. R-2.\nW-9.\nG85 R-2.\n"
+     "G83 Z9. R-2.\nG85 Z-9. Q1.\nG83 Z-9. Q5\nG81 Z-9. R-2.\nG80 U2. W2.\n",
+     "1 out S500 per-rev; 1 out M3 S500; 2 rapid X20 Z5; 3 rapid~ X15; 3 line~ Z-9 F0.1; 3"
+     " rapid~ Z5; !4:10 number-range R 2/0; !5:5 incremental W; !6:1 incremental W; 7 rapid~ Z3;"
+     " 7 line~ Z-9; 7 line~ Z3 F0.2; 7 rapid~ Z5; !8:9 number-range R 3/9; !9:10 word-unused Q;"
+     " ?10:0 assumed-peck; 10 rapid~ Z3; 10 line~ Z-2 F0.1; 10 rapid~ Z-1.746; 10 line~ Z-7; 10"
+     " rapid~ Z-6.746; 10 line~ Z-9; 10 rapid~ Z5; !11:1 unsupported G 81/0; !12:5 word-unused U"},
+};
+
+static void a_lathe_drills_along_z_and_x(check_t *check) {
+    told_turning(&self);
+    TOLD(check, &self, lathe_rows);
+}
+
 static void a_cycle_drills_where_its_words_say(check_t *check) {
     told_begin(&self, NCK_DIALECT_LINUXCNC);
     TOLD(check, &self, cycles_rows);
@@ -107,5 +139,6 @@ int main(void) {
     check_t check = {0};
     if (!TOLD_WHOLE) return 0;
     CHECK_RUN(&check, a_cycle_drills_where_its_words_say);
+    CHECK_RUN(&check, a_lathe_drills_along_z_and_x);
     return check_end(&check);
 }

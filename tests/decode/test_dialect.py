@@ -60,10 +60,10 @@ def test_a_program_says_what_was_chosen_and_reads_it_so():
 
 
 REMEDIES = (
-    ("cak6150n", "A", "G84 Z-20 R5 F1.5", "unsupported", "G33.1"),
-    ("cak6150n", "A", "G88 X-20 R5 F1.5", "unsupported", "tap with G32"),
+    ("cak6150n", "A", "G82 Z-20 R5 F1.5", "unsupported", "with P it rests"),
+    ("cak6150n", "A", "G83 W-20. F1.5", "incremental", "its depth by Z, or X"),
     ("cak6150n", "B", "F99 G75 X-9. P5000 R1.", "unsupported", "a line of its own"),
-    ("cak6150n", "A", "G83 Z-20. Q5. F.1", "unsupported", "drill on the axis"),
+    ("cak6150n", "A", "G83 Z-20. R5. F.1", "number-range", "a step from where the drill stands"),
     ("mill3", "A", "G88 X1 Z-20 R5 F99", "unsupported", "use G86"),
     ("mill3", "A", "G30 P3 Z0", "unsupported", "home.g30_p3.z_mm"),
     ("mill3", "A", "G10 L12 P1 R3.", "unsupported", "dialect.d_offset"),

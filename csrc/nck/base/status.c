@@ -97,6 +97,7 @@
     x(NCK_NOTE_ENDS_OFF, "ends-off") \
     x(NCK_NOTE_CLOCK, "assumed-clock") \
     x(NCK_NOTE_TIMER, "timer-read") \
+    x(NCK_NOTE_PECK, "assumed-peck") \
     x(NCK_NOTE_LENGTH, "assumed-length") \
     x(NCK_NOTE_INTEGERS, "assumed-integers")
 

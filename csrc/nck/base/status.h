@@ -149,6 +149,8 @@ typedef enum nck_note {
                              // nobody has said it; letter #, value: which one
     NCK_NOTE_TIMER = 25,     // "timer-read": a program asks for #3001 or #3002 (value), which know
                              // no moves, since lines are read ahead of them
+    NCK_NOTE_PECK = 27,      // "assumed-peck": a lathe's G83 or G87 goes back a little from peck to
+                             // peck
     NCK_NOTE_LENGTH = 21,    // "assumed-length": H of a machine without a tool table is 0
     NCK_NOTE_INTEGERS = 15   // "assumed-integers": a length, angle or dwell of Fanuc's has no point
 } nck_note_t;

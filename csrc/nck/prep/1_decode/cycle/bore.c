@@ -6,7 +6,8 @@
 //          at its angle ▶ aside ▶ out ▶ back ▶ spindle on
 #include "nck/prep/1_decode/cycle/bore.h"
 #include "nck/prep/1_decode/cycle/cycle.h"
-#include "nck/prep/1_decode/state/state.h" // nck_decode_fail_step nck_decode_fail_word …
+#include "nck/prep/1_decode/cycle/height.h"
+#include "nck/prep/1_decode/state/state.h" // nck_decode_fail_word nck_decode_give_dwell …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_length_word nck_decode_travel
 #include "nck/prep/1_decode/motion/motion.h" // nck_decode_give_exact
 
@@ -65,8 +66,7 @@ nck_status_t nck_bore_shift(nck_decode_t *self) {
         }
     }
     if (status != NCK_OK || (cycle->said & (both | NCK_LETTER('Q')))) return status;
-    self->modal.motion = NCK_MOTION_REFUSED;
-    return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_MOTION, 'Q', 0.0, 0.0);
+    return nck_cycle_missing(self, 'Q');
 }
 
 nck_status_t nck_bore_fits(nck_decode_t *self, const int64_t *last_nm) {

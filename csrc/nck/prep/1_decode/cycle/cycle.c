@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Canned cycles of drilling, boring and tapping: G73 G74 G81 … G86 G89.
+// Canned cycles of drilling, boring and tapping: G73 G74 G81 … G86 G89; of Fanuc's lathes G83 …
+// G85 along Z, G87 … G89 along X.
 #include "nck/prep/1_decode/cycle/cycle.h"
 #include "nck/prep/1_decode/cycle/bore.h"
+#include "nck/prep/1_decode/cycle/height.h"
 #include "nck/prep/1_decode/cycle/ring.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_assume nck_decode_fail …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_as_word nck_decode_asks_unit …
@@ -46,6 +48,26 @@ static int drills(const nck_decode_t *self, int32_t code) {
            && !nck_motion_probes(code);
 }
 
+// G83 G84 G85 along Z, G87 G88 G89 along X. Its pecks go back a little, as bit 2 of Fanuc's
+// parameter 5101 has them where nobody has set it.
+static uint8_t lathe_does(const nck_decode_t *self, int32_t code) {
+    switch (code) {
+    case NCK_MOTION_TAP_RIGHT:
+    case NCK_MOTION_TAP_SIDE: return TAPS;
+    case 850:
+    case 890: return DWELLS | FEEDS_OUT;
+    default: {
+        const uint32_t said = self->words.letters | self->held.cycle.said;
+        return said & NCK_LETTER('Q') ? DWELLS | PECKS : DWELLS;
+    }
+    }
+}
+
+static unsigned drill_of(const nck_decode_t *self, int32_t code) {
+    if (!self->lathe) return (unsigned)(19 - self->modal.plane + NCK_AXIS_X);
+    return code >= NCK_MOTION_BORE_BACK ? NCK_AXIS_X : NCK_AXIS_Z;
+}
+
 static uint8_t does_of(int32_t code) {
     static const struct {
         uint16_t code;
@@ -64,77 +86,20 @@ static uint8_t does_of(int32_t code) {
 
 // ---- words
 
-static nck_status_t fail_missing(nck_decode_t *self, int letter) {
-    self->modal.motion = NCK_MOTION_REFUSED;
-    return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_MOTION, letter, 0.0, 0.0);
-}
-
-// Words hold while the cycle does: in RS274NGC the same one, in Fanuc's language any. In another
-// plane they would mean another axis.
+// Words hold while the cycle does: in RS274NGC the same one, in Fanuc's language any. Of
+// another drill they would mean another axis.
 static void keep_or_forget(nck_decode_t *self, int32_t before) {
     nck_cycle_t *const cycle = &self->held.cycle;
     const int32_t code = self->words.code[NCK_STEP_MOTION];
+    const unsigned drill = drill_of(self, code);
     const int cycled = nck_motion_is_cycle(before) && drills(self, before)
-                       && cycle->plane == self->modal.plane;
-    const unsigned drill = (unsigned)(19 - self->modal.plane + NCK_AXIS_X);
+                       && cycle->drill == drill;
     if (!cycled || (code != before && !nck_is_fanuc(self))) cycle->said = 0;
     if (!cycled) {
         cycle->initial_nm = self->place.position_nm[drill] - self->place.origin_nm[drill];
     }
-    cycle->plane = self->modal.plane;
     cycle->drill = drill;
-    cycle->does = does_of(code);
-}
-
-// R and the depth as words. Fanuc's are places once they are said, RS274NGC's stay words: what they
-// mean goes by the distance mode of each line.
-static nck_status_t read_heights(nck_decode_t *self) {
-    nck_cycle_t *const cycle = &self->held.cycle;
-    const int steps = nck_is_fanuc(self) && self->modal.incremental;
-    nck_status_t status = NCK_OK;
-    if (self->words.letters & NCK_LETTER('R')) {
-        status = nck_decode_length_word(self, 'R', &cycle->r_nm);
-        if (steps) cycle->r_nm += cycle->initial_nm;
-        cycle->said |= NCK_LETTER('R');
-    }
-    if (status == NCK_OK && (self->words.axes >> cycle->drill & 1u)) {
-        status = nck_decode_axis_word(self, cycle->drill, &cycle->depth_nm);
-        if (steps) cycle->depth_nm += cycle->r_nm;
-        cycle->said |= NCK_LETTER('Z');
-    }
-    if (status != NCK_OK) return status;
-    if (!(cycle->said & NCK_LETTER('R'))) return fail_missing(self, 'R');
-    if (cycle->said & NCK_LETTER('Z')) return NCK_OK;
-    return fail_missing(self, nck_decode_letter(cycle->drill));
-}
-
-static nck_status_t set_levels(nck_decode_t *self) {
-    nck_cycle_t *const cycle = &self->held.cycle;
-    const int64_t origin_nm = self->place.origin_nm[cycle->drill];
-    const int steps = !nck_is_fanuc(self) && self->modal.incremental;
-    const int64_t r_nm = cycle->r_nm + (steps ? cycle->initial_nm : 0);
-    const int64_t bottom_nm = cycle->depth_nm + (steps ? r_nm : 0);
-    const int64_t high_nm = cycle->initial_nm > r_nm ? cycle->initial_nm : r_nm;
-    const int up = self->modal.motion == NCK_MOTION_BORE_BACK; // from R up to the depth
-    if (up ? r_nm > bottom_nm : r_nm < bottom_nm) {
-        const nck_scale_t *const scale = nck_decode_scale_of(self, cycle->drill);
-        const double most_nm = (double)(bottom_nm - (r_nm - cycle->r_nm));
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'R',
-                                    nck_decode_as_word(scale, (double)cycle->r_nm),
-                                    nck_decode_as_word(scale, most_nm));
-    }
-    cycle->level_nm[NCK_LEVEL_R] = r_nm + origin_nm;
-    cycle->level_nm[NCK_LEVEL_BOTTOM] = bottom_nm + origin_nm;
-    cycle->level_nm[NCK_LEVEL_CLEAR] = (cycle->to_r && !up ? r_nm : high_nm) + origin_nm;
-    cycle->level_nm[NCK_LEVEL_CUT] = cycle->level_nm[NCK_LEVEL_R];
-    nck_status_t status = NCK_OK;
-    for (unsigned k = NCK_LEVEL_R; k <= NCK_LEVEL_CLEAR && status == NCK_OK; k++) {
-        status = nck_decode_steps(self, cycle->drill, 0, 0, &cycle->level_nm[k]);
-        if (status == NCK_OK) {
-            status = nck_decode_travel(self, cycle->drill, cycle->level_nm[k]);
-        }
-    }
-    return status;
+    cycle->does = self->lathe ? lathe_does(self, code) : does_of(code);
 }
 
 // Q and P, where the cycle has them.
@@ -168,10 +133,10 @@ static nck_status_t read_rest(nck_decode_t *self) {
 // has in a revolution is its lead.
 static nck_status_t read_lead(nck_decode_t *self) {
     nck_cycle_t *const cycle = &self->held.cycle;
-    const uint8_t code = self->modal.motion == NCK_MOTION_TAP_RIGHT ? 3 : 4;
+    const uint8_t code = self->modal.motion == NCK_MOTION_TAP_LEFT ? 4 : 3;
     const int is_on = self->modal.spindle_on && self->modal.spindle_code == code;
     cycle->turns = is_on ? 0 : code;
-    if (!is_on && !nck_is_fanuc(self)) return fail_missing(self, 'M');
+    if (!is_on && !nck_is_fanuc(self)) return nck_cycle_missing(self, 'M');
     self->modal.spindle_on = 1;
     self->modal.spindle_code = code;
     nck_status_t status = nck_decode_thread_fits(self);
@@ -187,11 +152,14 @@ static nck_status_t check_rest(nck_decode_t *self) {
     nck_cycle_t *const cycle = &self->held.cycle;
     const int timed = (cycle->said & NCK_LETTER('P')) != 0;
     if (!timed) cycle->dwell_s = 0.0;
-    if ((cycle->does & PECKS) && !(cycle->said & NCK_LETTER('Q'))) return fail_missing(self, 'Q');
-    if ((cycle->does & DWELLS) && !timed && !nck_is_fanuc(self)) return fail_missing(self, 'P');
+    const int pecks_on = (cycle->does & PECKS) != 0;
+    if (pecks_on && !(cycle->said & NCK_LETTER('Q'))) return nck_cycle_missing(self, 'Q');
+    if (pecks_on && self->lathe) nck_decode_assume(self, NCK_NOTE_PECK);
+    const int rests = (cycle->does & DWELLS) && !nck_is_fanuc(self);
+    if (rests && !timed) return nck_cycle_missing(self, 'P');
     if (cycle->does & TAPS) return read_lead(self);
     const int stands = (cycle->does & STOPS) && !self->modal.spindle_on;
-    return stands ? fail_missing(self, 'M') : NCK_OK;
+    return stands ? nck_cycle_missing(self, 'M') : NCK_OK;
 }
 
 // How many holes: L, in Fanuc's language K too; there 0 only keeps the words.
@@ -288,8 +256,7 @@ static nck_status_t read_cycle(nck_decode_t *self, int64_t *count_out) {
     }
     nck_status_t status = nck_decode_cycle_fits(self);
     if (status == NCK_OK) status = nck_layout_spares(self, self->held.cycle.drill);
-    if (status == NCK_OK) status = read_heights(self);
-    if (status == NCK_OK) status = set_levels(self);
+    if (status == NCK_OK) status = nck_cycle_heights(self);
     if (status == NCK_OK) status = read_rest(self);
     if (status == NCK_OK) status = check_rest(self);
     if (status == NCK_OK && (self->held.cycle.does & SHIFTS)) status = nck_bore_shift(self);
@@ -313,7 +280,7 @@ static nck_status_t begin(nck_decode_t *self) {
     if (ring != NCK_OK) return ring;
     self->modal.motion = self->words.code[NCK_STEP_MOTION];
     keep_or_forget(self, before);
-    if (!says_hole(self)) return nck_is_fanuc(self) ? NCK_OK : fail_missing(self, 'X');
+    if (!says_hole(self)) return nck_is_fanuc(self) ? NCK_OK : nck_cycle_missing(self, 'X');
     nck_decode_assume(self, NCK_NOTE_UNITS);
     nck_decode_assume(self, NCK_NOTE_DISTANCE);
     nck_decode_assume(self, NCK_NOTE_PLANE);
@@ -336,7 +303,10 @@ static nck_status_t begin(nck_decode_t *self) {
 // ---- holes
 
 static nck_status_t go(nck_decode_t *self, nck_block_kind_t kind, nck_block_t *out) {
-    nck_decode_give_exact(self, kind, self->held.cycle.feed, out);
+    const nck_cycle_t *const cycle = &self->held.cycle;
+    // A lathe bores out so.
+    const int twice = self->lathe && kind == NCK_BLOCK_LINE && cycle->phase > PHASE_FEED_OUT;
+    nck_decode_give_exact(self, kind, twice ? 2.0 * cycle->feed : cycle->feed, out);
     return NCK_OK;
 }
 

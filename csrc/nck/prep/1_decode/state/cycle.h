@@ -7,7 +7,8 @@
 
 #include "nck/base/limits.h" // NCK_AXIS_MAX
 
-enum { NCK_MOTION_BORE_BACK = 870 }; // G87; G76 has the number of threads: NCK_MOTION_SCREW
+// G87 of mills; G76 has the number of threads: NCK_MOTION_SCREW. From G87 on lathes drill along X.
+enum { NCK_MOTION_BORE_BACK = 870 };
 
 enum { NCK_CIRCLES_RING = 2 }; // of circles, below
 
@@ -17,7 +18,6 @@ enum { NCK_LEVEL_R, NCK_LEVEL_BOTTOM, NCK_LEVEL_CLEAR, NCK_LEVEL_CUT };
 // All of it.
 typedef NCK_CYCLE_STATE nck_cycle {
     uint32_t said;       // letters of words that hold: R Q P, Z for the depth whatever its axis
-    uint8_t plane;       // they are for
     uint8_t to_r;        // 1: G99
     uint8_t does;        // what the cycle has, cycle.c
     uint8_t phase;       // of the hole in work, cycle.c

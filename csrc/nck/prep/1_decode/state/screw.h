@@ -8,10 +8,10 @@
 #include "nck/base/limits.h" // NCK_CYCLE_STATE
 
 // Motions in tenths: G33 (Fanuc's system A: G32), G33.1, G76, and the thread cycle as system B
-// names it; the cycles that tap.
+// names it; the cycles that tap (G88: of lathes).
 enum {
     NCK_MOTION_PASS = 330, NCK_MOTION_TAP = 331, NCK_MOTION_SCREW = 760, NCK_MOTION_THREAD = 780,
-    NCK_MOTION_TAP_LEFT = 740, NCK_MOTION_TAP_RIGHT = 840
+    NCK_MOTION_TAP_LEFT = 740, NCK_MOTION_TAP_RIGHT = 840, NCK_MOTION_TAP_SIDE = 880
 };
 
 // Whether a motion in tenths cuts threads.

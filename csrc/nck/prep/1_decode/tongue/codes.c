@@ -159,20 +159,20 @@ static const code_t g_codes[] = {
 // Behind the others: nobody's plain lines pay for them.
 static const code_t cycle_codes[] = {
     {L | 810, NCK_STEP_MOTION, DRILL}, {F | 810, NCK_STEP_MOTION, HOLE},
-    {L | 830, NCK_STEP_MOTION, DRILL_Q}, {F | 830, NCK_STEP_MOTION, HOLE_PQ},
+    {L | 830, NCK_STEP_MOTION, DRILL_Q}, {F | T | 830, NCK_STEP_MOTION, HOLE_PQ},
     {L | 730, NCK_STEP_MOTION, DRILL_Q}, {F | 730, NCK_STEP_MOTION, HOLE_PQ},
     {L | 820, NCK_STEP_MOTION, DRILL_P}, {F | 820, NCK_STEP_MOTION, HOLE_P},
     {L | 850, NCK_STEP_MOTION, DRILL}, {F | 850, NCK_STEP_MOTION, HOLE},
     {L | 860, NCK_STEP_MOTION, DRILL_P}, {F | 860, NCK_STEP_MOTION, HOLE_P},
-    {L | 890, NCK_STEP_MOTION, DRILL_P}, {F | 890, NCK_STEP_MOTION, HOLE_P},
+    {L | 890, NCK_STEP_MOTION, DRILL_P}, {F | T | 890, NCK_STEP_MOTION, HOLE_P},
     {F | 700, NCK_STEP_MOTION, RING}, {F | 710, NCK_STEP_MOTION, RING},
     {F | NCK_MOTION_SCREW, NCK_STEP_MOTION, BORE},
     {F | NCK_MOTION_BORE_BACK, NCK_STEP_MOTION, BORE},
     {L | NCK_MOTION_TAP_RIGHT, NCK_STEP_MOTION, DRILL_P},
-    {F | NCK_MOTION_TAP_RIGHT, NCK_STEP_MOTION, HOLE_P},
+    {F | T | NCK_MOTION_TAP_RIGHT, NCK_STEP_MOTION, HOLE_P},
     {L | NCK_MOTION_TAP_LEFT, NCK_STEP_MOTION, DRILL_P},
-    {F | NCK_MOTION_TAP_LEFT, NCK_STEP_MOTION, HOLE_P}, {L | F | 980, NCK_STEP_RETRACT, NONE},
-    {L | F | 990, NCK_STEP_RETRACT, NONE}, {L | G | 382, NCK_STEP_MOTION, AXES},
+    {F | NCK_MOTION_TAP_LEFT, NCK_STEP_MOTION, HOLE_P}, {L | F | T | 980, NCK_STEP_RETRACT, NONE},
+    {L | F | T | 990, NCK_STEP_RETRACT, NONE}, {L | G | 382, NCK_STEP_MOTION, AXES},
     {L | G | 383, NCK_STEP_MOTION, AXES}, {L | G | 384, NCK_STEP_MOTION, AXES},
     {L | G | 385, NCK_STEP_MOTION, AXES}, {F | T | NCK_MOTION_SKIP, NCK_STEP_MOTION, AXES},
     {L | NCK_MOTION_PASS, NCK_STEP_MOTION, PASS},
@@ -181,7 +181,9 @@ static const code_t cycle_codes[] = {
     {T | NCK_MOTION_PASS, NCK_STEP_MOTION, PASS_Q},
     {T | NCK_MOTION_THREAD, NCK_STEP_MOTION, THREAD},
     {T | NCK_MOTION_SCREW, NCK_STEP_MOTION, SCREW_FANUC},
-    {T | NCK_MOTION_PECK_Z, NCK_STEP_MOTION, PECK}, {T | NCK_MOTION_PECK_X, NCK_STEP_MOTION, PECK}
+    {T | NCK_MOTION_PECK_Z, NCK_STEP_MOTION, PECK}, {T | NCK_MOTION_PECK_X, NCK_STEP_MOTION, PECK},
+    {T | 850, NCK_STEP_MOTION, HOLE_P}, {T | NCK_MOTION_BORE_BACK, NCK_STEP_MOTION, HOLE_PQ},
+    {T | NCK_MOTION_TAP_SIDE, NCK_STEP_MOTION, HOLE_P}
 };
 
 static const code_t contour_codes[] = {
@@ -226,7 +228,7 @@ static const code_t m_codes[] = {
     {L | 730, NCK_STEP_STATE, NONE}
 };
 
-// Of a language, and not built: a code and whose it is.
+// Of a language, and not built, or not in a build without cycles: a code and whose it is.
 static const uint16_t g_later[] = {
     F | 54, P | 60, L | T | 62, L | 63, F | T | 70, F | T | 71, T | 72, P | 100, F | T | 106,
     F | T | P | 110, F | T | P | 120, F | T | 121,
@@ -315,6 +317,7 @@ static int is_thread(const code_t *code) {
     case NCK_MOTION_TAP:
     case NCK_MOTION_TAP_RIGHT:
     case NCK_MOTION_TAP_LEFT:
+    case NCK_MOTION_TAP_SIDE:
     case NCK_MOTION_THREAD: return 1;
     case NCK_MOTION_SCREW: return code->takes != BORE;
     default: return 0;

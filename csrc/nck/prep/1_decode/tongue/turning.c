@@ -6,7 +6,10 @@
 
 #include <stddef.h> // size_t
 
-enum { AXIS_U = 6 };
+enum {
+    AXIS_U = 6,
+    FIRST_DRILL = 830, LAST_DRILL = 890 // G83 … G89
+};
 
 int nck_lathe_speaks_fanuc(const nck_decode_t *self) {
     if (!NCK_HAS_LATHE) return 0;
@@ -67,6 +70,14 @@ static int counts_steps(const nck_decode_t *self) {
     return self->words.code[NCK_STEP_DISTANCE] == 910;
 }
 
+// Whether an axis drills: its steps would count from R.
+static int is_depth(const nck_decode_t *self, unsigned axis) {
+    const int says = (self->words.codes & NCK_STEP(NCK_STEP_MOTION)) != 0;
+    const int32_t motion = says ? self->words.code[NCK_STEP_MOTION] : self->modal.motion;
+    return self->lathe && motion >= FIRST_DRILL && motion <= LAST_DRILL
+           && axis == (motion >= NCK_MOTION_BORE_BACK ? NCK_AXIS_X : NCK_AXIS_Z);
+}
+
 // U, V or W becomes X, Y or Z.
 static nck_status_t take_step(nck_decode_t *self, unsigned axis, int letter) {
     nck_words_t *const words = &self->words;
@@ -78,7 +89,7 @@ static nck_status_t take_step(nck_decode_t *self, unsigned axis, int letter) {
     if (words->letters & NCK_LETTER(place)) {
         return nck_decode_fail_word(self, NCK_E_WORD_TWICE, letter, 0.0, 0.0);
     }
-    if (moves_zero(words)) {
+    if (moves_zero(words) || is_depth(self, axis)) {
         return nck_decode_fail_word(self, NCK_E_INCREMENTAL, letter, 0.0, 0.0);
     }
     words->number[place - 'A'] = words->number[letter - 'A'];
