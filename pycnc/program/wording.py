@@ -7,6 +7,11 @@ _STEPS = (
     "{found} counts from where the axis stands, and another code of its block changes that",
     "put the other code on a line before; a drilling cycle is told its depth by Z, or X",
 )
+_MACH_UNITS = (
+    "G{value} works on a contour on LinuxCNC's lathes alone; Mach3's is another one",
+    "in a program for Mach3 G70 is G20 (inches) and G71 is G21 (mm): write those, or leave it out "
+    "where they stand, too",
+)
 _SETS = (
     "a control may take this {letter} for one of another set of I J K, and so another parameter",
     "say I J K in this order, in every set what a later one has; or letters: D is #7, E is #8",
@@ -337,7 +342,7 @@ WORDING = {
         "say what it means on this machine: --set g.{key_of_g}.action=ignore, or "
         "g.{key_of_g}.action=tolerance and g.{key_of_g}.tolerance_mm=0.01",
     ),
-    **{f"mode-stays:G{code}": _PROBES for code in (29, 30, 34, 35)},
+    **{f"mode-stays:G{code}": _PROBES for code in (29, 30, 34, 35, 80)},
     **{f"mode-stays:G{code}": _OWN_WAYS for code in (12, 26, 27)},
     **{f"mode-stays:G{code}": _RETRACTS for code in (10, 11)},
     "limits-stay": (
@@ -372,6 +377,7 @@ WORDING = {
         "do by hand what the line needs of it; or if its effect stays: --set m.{value}.stays=true",
     ),
     **{f"no-motion:G{code}": _RING for code in (70, 71)},
+    **{f"unsupported:G{code}": _MACH_UNITS for code in (70, 71)},
     "unsupported:G72": (
         "G72 of Haas drills a row of holes, and no manual says whether one is where it begins",
         "say the row by steps: G91 X… Y… L…, or its holes by X and Y",

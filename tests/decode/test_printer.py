@@ -258,3 +258,18 @@ def test_a_stop_with_a_time_goes_on_by_itself(number, draw_seed):
         waits += wait
     plan = planned.plan(pycnc.load("\n".join([*lines, ""]), "printer_marlin"))
     assert plan.totals["dwell_s"] == pytest.approx(waits)
+
+
+@pytest.mark.parametrize("first", range(0, 400, 50))
+@pytest.mark.sample(2)
+def test_each_way_of_the_firmware_s_own_is_told_once(machine, first):
+    ways = ["G10", "G11", "G12 P1 S1", "G26", "G27 P2", "G29 A", "G34", "G80", "G80 X9 Y9 W4 H4"]
+    for seed in range(first, first + 50):
+        rng = random.Random(seed)
+        lines = [rng.choice([*ways, f"G1 X{rng.randint(1, 9)} F600"]) for _ in range(20)]
+        said = [line.split()[0] for line in lines]
+        found = stages.decode(("G21 G90\nM82\n" + "\n".join(lines) + "\n").encode(), machine)[1]
+        told = [(f"G{each['value']:g}", int(each["line"])) for each in found
+                if each["letter"] in (b"G", ord("G"))]  # fmt: skip
+        wanted = [(code, said.index(code) + 3) for code in dict.fromkeys(said) if code != "G1"]
+        assert told == wanted, f"seed {seed}"

@@ -54,7 +54,7 @@ static void explain(nck_decode_t *self, nck_step_t step, uint32_t tenths, int is
     else if (is_end) set_tolerance(self, NCK_PLAIN_OPEN);
     if (own != NULL ? own->action != NCK_G_NOTE : is_end) return;
     // Once for each code: no two of a language share a bit.
-    const uint32_t bit = 1u << tenths % 32u;
+    const uint32_t bit = 1u << (tenths + tenths / 2u) % 32u;
     if (self->finding.modes & bit) return;
     self->finding.modes |= bit;
     self->finding.notes &= ~(1u << NCK_NOTE_MODE);

@@ -53,13 +53,14 @@ static const printer_code_t codes[] = {
 };
 
 // What a code of G is that moves something on a printer and that no text tells: a retraction of the
-// firmware's own, a probe, or a way of its own (G12 wipes, G26 prints a mesh, G27 parks).
+// firmware's own, a probe, or a way of its own (G12 wipes, G26 prints a mesh, G27 parks;
+// G80 of Prusa's probes the bed).
 static const struct {
     uint32_t letters; // that it may have; 0: any text
     uint16_t tenths;
 } g_codes[] = {
     {NCK_LETTER('S') | NCK_LETTER('P') | NCK_LETTER('R'), 100}, {NCK_LETTER('S'), 110}, {0, 290},
-    {0, 120}, {0, 260}, {0, 270}, {0, 350},
+    {0, 120}, {0, 260}, {0, 270}, {0, 350}, {0, 800},
     {NCK_LETTER('X') | NCK_LETTER('Y') | NCK_LETTER('E') | NCK_LETTER('C'), 300},
     {NCK_LETTER('A') | NCK_LETTER('E') | NCK_LETTER('I') | NCK_LETTER('T'), 340}
 };
