@@ -58,7 +58,8 @@ def _print(pen):
             "G90", "M82", "G92 E0"]  # fmt: skip
     limits = ["M201 X500 Y500 Z100 E5000", "M203 X500 Y500 Z10 E50", "M204 P500 R1000 T500",
               "M205 X8.00 Y8.00 Z0.40 E5.00", "M205 J0.02", "M220 S80", "M900 K0.05",
-              "M106 S85", "M73 P0 R12"]  # fmt: skip
+              "M106 S85", "M73 P0 R12", "G80", "G80 X105.3 Y98.2 W40.1 H40.2", "G29 A",
+              'M862.3 P "MK3S"', "M115 U3.13.2", "G10", "G11", "G27 P2"]  # fmt: skip
     return [*head, *pen.sample(limits, pen.randrange(4)), *_layers(pen), "M107", "M84", "M104 S0"]
 
 
@@ -101,6 +102,13 @@ def _lathe(pen):
             across, along = across - 1, along - 1
     if pen.random() < 0.3:
         rows += ["G0 X60. Z5.", "G97 S300", f"G92 X49. Z-{pen.randrange(2, 20)}. F1.5", "X48.5"]
+    if pen.random() < 0.4:
+        deep, side = pen.randrange(5, 40), pen.random() < 0.3
+        rows += ["G97 S900 M3", "G0 X60. Z-9." if side else "G0 X0. Z5."]
+        code = pen.choice([83, 83, 85, 84]) + 4 * side
+        peck = f" Q{pen.randrange(1, 9)}." if code in (83, 87) and pen.random() < 0.6 else ""
+        where = f"X{60 - deep}." if side else f"Z-{deep}."
+        rows += [f"G{code} {where} R-{pen.randrange(3)}.{peck} F{_number(pen, 0.1, 1)}", "G80"]
     return [*rows, "G0 X100. Z50.", "M5", "M30", "%"]
 
 
@@ -110,6 +118,7 @@ def _haas(pen):
             "G43 H1 Z1. M8"]  # fmt: skip
     if pen.random() < 0.4:
         rows.append(pen.choice(["G187 P3 E0.02", "G5.1 Q1", "G8 P1", "G187 P1"]))
+    rows += pen.sample(["M31", "M88", "M34", "M83", "M19", "M33", "M89", "M11"], pen.randrange(3))
     for _ in range(pen.randrange(1, 14)):
         kind = pen.randrange(6)
         if kind == 0:
