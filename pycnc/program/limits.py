@@ -38,8 +38,11 @@ _BAMBU_STILL = frozenset(
     "M1002 M1003 M1004 M1006 M1007 M73.2 M960 M975 M981 M982 M982.2 M982.4 M991 M622 M623 M624 "
     "M625 M628 M629 M630 M221 G29.1 G29.2 G392 T255 T1000".split()
 )
-# What a host hears, and never sends; ways of Prusa's firmware with filament.
-_HOST = re.compile(rb"(?m)^([ \t]*)(@\w+|T[xc?](?=[ \t;\r\n]|\Z)|M70[12](?![\d.]))")
+# What a host hears, and never sends; ways of Prusa's firmware with filament; RepRapFirmware's
+# macros, which lie in files of the printer.
+_HOST = re.compile(
+    rb"(?m)^([ \t]*)(@\w+|T[xc?](?=[ \t;\r\n]|\Z)|M70[12](?![\d.])|M98(?=[ \t]*P[ \t]*\"))"
+)
 _LIMIT = re.compile(
     rb"(?im)^[ \t]*(?:N\d+[ \t]*)?(?:M[ \t]*(20[1345]|566)(?![.\d])|(SET_VELOCITY_LIMIT)\b)"
     rb"([^\n;(]*)"

@@ -209,6 +209,10 @@ static void a_foreign_language_gets_one_sentence(check_t *check) {
     } rows[] = {{"0 BEGIN PGM 1 MM\n1 BLK FORM 0.1 Z X+0\n2 L X+0 FMAX\n", NCK_HINT_HEIDENHAIN},
                 {"; remark\nBEGIN PGM X MM\nL X+0\n", NCK_HINT_HEIDENHAIN},
                 {"%_N_PART_MPF\nG0 X1\n", NCK_HINT_SINUMERIK},
+                {"N10 G17 G90\nN20 T=\"MILL10\"\n", NCK_HINT_SINUMERIK},
+                {"N60 CYCLE81(10,0,2,-15)\n", NCK_HINT_SINUMERIK},
+                {"N70 MCALL\n", NCK_HINT_SINUMERIK},
+                {"MSG(\"FACE\")\n", NCK_HINT_SINUMERIK},
                 {";$PATH=/_N_WKS\nN10 DEF REAL A=1\nG0 X=A\n", NCK_HINT_SINUMERIK},
                 {"$PART.MIN%\nG15 H1\nCALL O1\n", NCK_HINT_OKUMA}};
     case_begin(&self);

@@ -71,8 +71,10 @@ def test_a_state_that_needs_two_lines_stays_a_macro():
     assert pycnc.load(text, "printer_klipper").diagnostics.counts["macro-own"] == 1
 
 
-@pytest.mark.parametrize("line", ["Tx", "Tc ; all", "T?", "M702 C", "M701"])
-def test_ways_of_prusas_filament_may_move(line):
+@pytest.mark.parametrize(
+    "line", ["Tx", "Tc ; all", "T?", "M702 C", "M701", 'M98 P"/macros/prime.g"']
+)
+def test_what_a_firmware_alone_knows_may_move(line):
     text = f"M104 S200\nG21\nG90\n{line}\nG1 X5 E1 F900\nT1\n"
     (found,) = [each for each in pycnc.load(text, "printer_marlin").diagnostics
                 if each.severity in ("warning", "error")]  # fmt: skip

@@ -36,7 +36,7 @@ enum {
 // The value of the diagnostic NCK_E_DIALECT: whose language the text is.
 typedef enum nck_dialect_hint {
     NCK_HINT_HEIDENHAIN = 1, // Klartext: BEGIN PGM
-    NCK_HINT_SINUMERIK = 2,  // %_N_…, DEF REAL …, PROC …
+    NCK_HINT_SINUMERIK = 2,  // %_N_…, DEF REAL …, CYCLE81(…
     NCK_HINT_OKUMA = 3       // $NAME.MIN%
 } nck_dialect_hint_t;
 

@@ -31,7 +31,8 @@ static int contains(const char *at, const char *word) {
 int nck_decode_foreign(const char *line) {
     static const char *const sinumerik[] = {
         "%_N_", "DEF REAL ", "DEF INT ", "DEF BOOL ", "DEF STRING", "DEF CHAR ", "DEF FRAME ",
-        "DEF AXIS ", "PROC ", "EXTERN ", (const char *)0
+        "DEF AXIS ", "PROC ", "EXTERN ", "CYCLE", "MCALL",
+        "T=\"", "MSG(", "WORKPIECE(", (const char *)0
     };
     const char *at = nck_skip_blanks(line);
     if (*at == '$' && (contains(at, ".MIN") || contains(at, ".SSB") || contains(at, ".LIB"))) {

@@ -49,7 +49,7 @@ static const printer_code_t codes[] = {
     {575, TEXT}, {591, TEXT}, {592, TEXT}, {593, TEXT}, {600, TEXT | WAITS}, {601, TEXT | WAITS},
     {602, TEXT}, {603, TEXT}, {851, TEXT}, {CHECKS, TEXT}, {906, TEXT}, {907, TEXT}, {908, TEXT},
     {910, TEXT}, {911, TEXT}, {912, TEXT}, {913, TEXT}, {914, TEXT}, {915, TEXT}, {919, TEXT},
-    {116, TEXT | WAITS}, {928, TEXT}
+    {116, TEXT | WAITS}, {561, TEXT}, {928, TEXT}
 };
 
 // What a code of G is that moves something on a printer and that no text tells: a retraction of the
