@@ -59,7 +59,8 @@ def _print(pen):
     limits = ["M201 X500 Y500 Z100 E5000", "M203 X500 Y500 Z10 E50", "M204 P500 R1000 T500",
               "M205 X8.00 Y8.00 Z0.40 E5.00", "M205 J0.02", "M220 S80", "M900 K0.05",
               "M106 S85", "M73 P0 R12", "G80", "G80 X105.3 Y98.2 W40.1 H40.2", "G29 A",
-              'M862.3 P "MK3S"', "M115 U3.13.2", "G10", "G11", "G27 P2"]  # fmt: skip
+              'M862.3 P "MK3S"', "M115 U3.13.2", "G10", "G11", "G27 P2", "M561",
+              'M98 P"/macros/prime.g"']  # fmt: skip
     return [*head, *pen.sample(limits, pen.randrange(4)), *_layers(pen), "M107", "M84", "M104 S0"]
 
 
@@ -149,7 +150,7 @@ def _router(pen):
             rows.append(f"G2 X{to[0]:.3f} Y{to[1]:.3f} I2 J0 F900")
             at[0] += 4
         elif kind == 2:
-            rows.append(pen.choice(["G4 P0.1", "M8", "M9", "S8000", "G0 Z3"]))
+            rows.append(pen.choice(["G4 P0.1", "M8", "M6T2", "M9", "S8000", "G0 Z3"]))
         else:
             step = [round(pen.uniform(-9, 9), 3) for _ in at]
             at = [a + b for a, b in zip(at, step, strict=True)]
