@@ -176,6 +176,9 @@ static const told_row_t ends[] = {
     {"G0 X1\nM2", "1 rapid X1; 2 end M2"},
     {"G0 X1\nM30\n\n%\n \n", "1 rapid X1; 2 end M30"},
     {"G0 X1\nM30\n\nG0\n", "1 rapid X1; ?4:0 after-end; 2 end M30"},
+    {"G0 X1\nM30\n(a;b) (\n%\n; c) d\n", "1 rapid X1; 2 end M30"},
+    {"G0 X1\nM30\n;\nG0\n", "1 rapid X1; ?4:0 after-end; 2 end M30"},
+    {"G0 X1\nM30\n()G0\n", "1 rapid X1; ?3:0 after-end; 2 end M30"},
     {"%\nG0 X1\n%\n", "2 rapid X1; 3 end M2"},
     {"%\nG0 X1\n%\nX2\n", "2 rapid X1; ?4:0 after-end; 3 end M2"},
     {"G0 X1\r\nX2\rX3\n\rX4", "1 rapid X1; 2 rapid X2; 3 rapid X3; 5 rapid X4; ?5:0 no-end;"

@@ -8,6 +8,18 @@
 #include <string.h> // memchr memcpy
 
 enum { PIECE = 64 };
+enum { WATCH = 1, IN_BRACKETS = 2, TO_LINE_END = 3 }; // of text.watch
+
+// Whether a byte behind the program's end is a remark's, which nobody meant to be read.
+static int is_remark(nck_decode_t *self, char c) {
+    const unsigned before = self->text.watch;
+    unsigned watch = before;
+    if (c == '\n' || c == '\r' || (c == ')' && before == IN_BRACKETS)) watch = WATCH;
+    else if (before == WATCH && c == '(') watch = IN_BRACKETS;
+    else if (before == WATCH && c == ';') watch = TO_LINE_END;
+    self->text.watch = (uint8_t)watch;
+    return before != WATCH || watch != WATCH;
+}
 
 // Behind the program's end: does anything stand there that somebody may have meant to be read?
 static void watch_rest(nck_decode_t *self, const char *text, size_t n) {
@@ -15,7 +27,7 @@ static void watch_rest(nck_decode_t *self, const char *text, size_t n) {
         const char c = text[k];
         if (c == '\r' || (c == '\n' && !self->line.after_cr)) self->line.number++;
         self->line.after_cr = c == '\r';
-        if ((unsigned char)c <= ' ' || c == '%') continue;
+        if (is_remark(self, c) || (unsigned char)c <= ' ' || c == '%') continue;
         self->text.watch = 0;
         self->line.tag = self->line.number + 1;
         nck_decode_assume(self, NCK_NOTE_AFTER_END);

@@ -183,7 +183,7 @@ typedef struct nck_decode {
         uint8_t words;    // 1: a line with words (or an error) was met
         uint8_t complete; // 1: nck_decode_end was called
         uint8_t over;     // 1: nothing more is decoded
-        uint8_t watch;    // 1: look whether text follows the program's end
+        uint8_t watch;    // not 0: look whether text follows the program's end, source.c
         uint8_t quick;    // 1: the line before was a quick one: what these ask for is as it was
     } text;
 } nck_decode_t;
