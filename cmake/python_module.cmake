@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The module pycnc._nck: face headers → preprocessor → cdef → generated C → one abi3 module.
+# The module pycnc._nck_tp: one function, the door to plans and runs with the capacities that the
+# planner module for LinuxCNC is compiled with.
 find_package(Python 3.11 REQUIRED COMPONENTS Interpreter Development.Module)
 
 file(GLOB host_headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/csrc" csrc/host/*.h)
@@ -14,7 +16,8 @@ add_custom_command(
             --cc "${CMAKE_C_COMPILER}" --module pycnc._nck --out _nck.c
             --include "${PROJECT_SOURCE_DIR}/csrc" --include "${PROJECT_SOURCE_DIR}/firmware_sim"
             --capacities nck/base/limits.h
-            ${definitions} nck/nck_tools.h ${host_headers} sim.h host_serve.h app/outcome.h
+            ${definitions} nck/nck_tools.h ${host_headers} sim.h sim_build.h sim_door.h
+            host_serve.h app/outcome.h
             board/exits.h
     DEPENDS cmake/make_binding.py cmake/capacities.cmake ${all_headers}
     VERBATIM)
@@ -23,6 +26,26 @@ python_add_library(_nck MODULE _nck.c)
 target_link_libraries(_nck PRIVATE sim nck_host)
 set_target_properties(_nck PROPERTIES SUFFIX ".abi3.so")
 install(TARGETS _nck DESTINATION pycnc)
+
+# What a program may have in it, and records, are as in pycnc._nck; look-ahead is the module's.
+file(READ "${PROJECT_SOURCE_DIR}/adapters/linuxcnc/Makefile" tp_makefile)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS adapters/linuxcnc/Makefile)
+string(REGEX MATCH "-DNCK_WINDOW=[^\n]*" tp_capacities "${tp_makefile}")
+string(REGEX MATCHALL "NCK_[A-Z_]+=[0-9]+" tp_capacities "${tp_capacities}")
+set(tp_all ${NCK_CAPACITY_HOST})
+list(FILTER tp_all EXCLUDE REGEX "^NCK_(WINDOW|CELL_MAX|PROFILE|CLOCKED)=")
+nck_add_libraries(_tp ${tp_all} ${tp_capacities})
+add_custom_command(
+    OUTPUT _nck_tp.c
+    COMMAND Python::Interpreter "${PROJECT_SOURCE_DIR}/cmake/make_binding.py"
+            --cc "${CMAKE_C_COMPILER}" --module pycnc._nck_tp --out _nck_tp.c
+            --include "${PROJECT_SOURCE_DIR}/firmware_sim" --capacities limits.h sim_door.h
+    DEPENDS cmake/make_binding.py firmware_sim/sim_door.h
+    VERBATIM)
+python_add_library(_nck_tp MODULE _nck_tp.c)
+target_link_libraries(_nck_tp PRIVATE sim_tp nck_host_tp)
+set_target_properties(_nck_tp PROPERTIES SUFFIX ".abi3.so")
+install(TARGETS _nck_tp DESTINATION pycnc)
 
 # The planner module for LinuxCNC is compiled on the machine that it is for.
 add_custom_command(

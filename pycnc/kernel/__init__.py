@@ -11,7 +11,7 @@ import itertools
 import numpy as np
 
 from pycnc import errors
-from pycnc.kernel.bind import check, ffi, lib, pointer
+from pycnc.kernel.bind import build_of, check, ffi, lib, pointer, room_for
 from pycnc.kernel.records import dtype, enum
 from pycnc.names import version  # noqa: F401
 
@@ -165,16 +165,19 @@ class Planner:
     def __init__(self, text, machine, records=("seg", "node", "cell"), shares=None,
                  part=None, threads=False):  # fmt: skip
         self._text, self._machine = text, machine
-        self._nck, self._plan = ffi.new("nck_t *"), ffi.new("nck_host_plan_t *")
+        self._build = build_of(machine.settings.control.kind)
+        self._rooms, self._nck = room_for("nck_t *", self._build.kernel_size)
+        self._room, self._plan = room_for("nck_host_plan_t *", self._build.plan_size)
         self._data = ffi.from_buffer("char[]", text)
-        check(lib.nck_host_plan_init(self._plan, self._nck, machine.pointer, self._data, len(text)))
+        init = self._build.plan_init
+        check(init(self._plan, self._nck, machine.pointer, self._data, len(text)))
         if isinstance(text, Blocks):
-            lib.nck_host_plan_blocks(self._plan)
+            self._build.plan_blocks(self._plan)
         if part is not None:
             cut = ffi.from_buffer("nck_host_cut_t *", part[0])
-            check(lib.nck_host_plan_part(self._plan, cut, part[1]))
+            check(self._build.plan_part(self._plan, cut, part[1]))
         elif threads:
-            lib.nck_host_plan_threads(self._plan)
+            self._build.plan_threads(self._plan)
         self._shares = ask_shares(self._plan.why.shares, shares)
         self._arrays = {
             name: np.empty(_TRAIL_ROWS if name in _TRAIL else _PLAN_ROWS, dtype(f"nck_{name}_t"))
@@ -201,7 +204,7 @@ class Planner:
         """
         status = lib.NCK_OK
         while status == lib.NCK_OK:
-            status = lib.nck_host_plan_run(self._plan)
+            status = self._build.plan_run(self._plan)
             check(status)
             owners = {name: self._rows_of(name) for name in self._arrays}
             pieces = (
@@ -312,13 +315,14 @@ class Simulation:
 
     def __init__(self, text, machine, prep_steps=PREP_STEPS, commands=(), spindle=None):
         self._text, self._machine = text, machine
-        self._nck, self._sim = ffi.new("nck_t *"), ffi.new("sim_t *")
+        self._build = build_of(machine.settings.control.kind)
+        self._rooms, self._nck = room_for("nck_t *", self._build.kernel_size)
+        self._sim = ffi.new("sim_t *")
         self._data = ffi.from_buffer("char[]", text)
-        check(
-            lib.sim_init(self._sim, self._nck, machine.pointer, self._data, len(text), prep_steps)
-        )
+        init = self._build.sim_init
+        check(init(self._sim, self._nck, machine.pointer, self._data, len(text), prep_steps))
         if isinstance(text, Blocks):
-            lib.sim_feed_blocks(self._sim)
+            self._build.sim_feed_blocks(self._sim)
         if spindle is not None:
             own = self._sim.spindle
             own.late_s, own.ripple, own.ripple_turns = spindle
@@ -341,7 +345,7 @@ class Simulation:
         rows, count = np.empty(_TICK_ROWS, dtype("sim_row_t")), ffi.new("size_t *")
         status = lib.NCK_OK
         while status == lib.NCK_OK:
-            status = lib.sim_run(self._sim, pointer("sim_row_t", rows), len(rows), count)
+            status = self._build.sim_run(self._sim, pointer("sim_row_t", rows), len(rows), count)
             yield rows[: count[0]], self._sim.text_used
             if self.end == "stalled":
                 raise errors.InternalError(self._stall(), id="internal", status=status)
@@ -350,8 +354,8 @@ class Simulation:
     def _stall(self):
         sim, pose, axes = self._sim, ffi.new("nck_pose_t *"), ffi.new("nck_axes_t *")
         queue = ffi.new("nck_queue_t *")
-        lib.nck_position(self._nck, pose, axes)
-        lib.nck_queue(self._nck, queue)
+        self._build.position(self._nck, pose, axes)
+        self._build.queue(self._nck, queue)
         return (
             f"the run stands still after tick {sim.ticks:,} ({sim.ticks * self._machine.period_s:g}"
             f" s), at line {pose.line}: neither preparation nor the tick goes on "
@@ -362,7 +366,7 @@ class Simulation:
     @property
     def thread_lost(self):
         """Whether a thread was stopped before its end."""
-        return bool(lib.nck_is_thread_lost(self._nck))
+        return bool(self._build.is_thread_lost(self._nck))
 
     @property
     def end(self):

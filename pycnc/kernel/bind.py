@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The lowest floor: the compiled module, and the one place where a status becomes an exception.
 
-No other file imports ``pycnc._nck``.
+No other file imports ``pycnc._nck``, or ``pycnc._nck_tp``: the same with the capacities of the
+planner module for LinuxCNC, for plans and runs.
 """
 
 import os
@@ -56,6 +57,33 @@ def check(status, diagnostic=None):
         raise cause(name, id=name, status=status)
     line, column = int(diagnostic.line), int(diagnostic.column)
     raise cause(f"{line}:{column}: {name}", id=name, status=status, line=line, column=column)
+
+
+def build_of(kind):
+    """Return the build that plans and runs for a control, a ``sim_build_t``.
+
+    Parameters
+    ----------
+    kind : str
+        ``"nck_tp"``: with the capacities of the planner module for LinuxCNC.
+    """
+    build = ffi.new("sim_build_t *")
+    if kind == "nck_tp":
+        from pycnc import _nck_tp  # where it is asked for: few need it
+
+        _nck_tp.lib.sim_build_tell(build)
+    else:
+        lib.sim_build_tell(build)
+    return build
+
+
+def room_for(type_name, size):
+    """Return memory for a record of so many bytes, zeros, and a pointer to it, which lives as long.
+
+    type_name: of the pointer, such as ``"nck_t *"``.
+    """
+    room = ffi.new("double[]", -(-size // ffi.sizeof("double")))
+    return room, ffi.cast(type_name, room)
 
 
 def pointer(type_name, array):

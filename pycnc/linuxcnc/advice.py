@@ -57,7 +57,7 @@ def machine_of(text, name, folder):
         raise MachineFileError(name, problems)
     told = configuration.settings(text).get(("TRAJ", "NCK_TOLERANCE"))
     slope, *_ = draft.values.get("path.slope", ("optimal",))
-    changes = ["control.kind=nck", f"path.slope={slope}"]
+    changes = ["control.kind=nck_tp", f"path.slope={slope}"]
     if not told:
         changes.append(f"path.tolerance_mm={_TOLERANCE_MM}")
     machine = Machine.from_text(draft.text([]), name=Path(name).stem)

@@ -8,8 +8,9 @@ from pydantic import BeforeValidator, Field, model_validator
 
 from pycnc.machine.quantity import Acceleration, Error, Number, Speed, Table, number
 
-Kind = Literal["nck", "klipper", "grbl", "grblhal", "fluidnc", "marlin", "linuxcnc"]
+Kind = Literal["nck", "nck_tp", "klipper", "grbl", "grblhal", "fluidnc", "marlin", "linuxcnc"]
 KINDS = get_args(Kind)
+NCKS = ("nck", "nck_tp")
 GRBLS = ("grbl", "grblhal", "fluidnc")
 PRINTERS = ("klipper", "marlin")
 
@@ -51,7 +52,8 @@ class Control(Table):
 
     kind: Kind = Field(
         "nck",
-        description="`nck`: this kernel. Any other: times are told by that control's own rules "
+        description="`nck`: this kernel; `nck_tp`: with the capacities of its module for LinuxCNC, "
+        "which look less far ahead. Any other: times are told by that control's own rules "
         "(controls.md), with the axes' v_max and a_max, without jerk.",
     )
     max_velocity: Speed | None = Field(
@@ -169,7 +171,7 @@ def contradictions(control, axes):
     A file that only changes the kind (`--set control.kind=nck`) may leave the others where they
     are: those of a control that is not in force wait.
     """
-    if control.kind == "nck":
+    if control.kind in NCKS:
         return
     for key in sorted(control.model_fields_set - {"kind"}):
         if control.kind not in OWNERS[key]:

@@ -4,6 +4,7 @@
 import re
 from decimal import Decimal
 
+from pycnc.machine.control import NCKS
 from pycnc.machine.quantity import TRAVEL_LIMIT
 from pycnc.machine.schema import (
     AXES, Approach, Dialect, Kernel, Kinematics, LinearAxis, MachineFile, Path, RotaryAxis, Spindle,
@@ -74,7 +75,7 @@ class Draft:
             a_max = self.limit(letter, "a_max")
             if a_max is not None and self.limit(letter, "j_max") is None:
                 rise = f"not in the source: all acceleration within {JERK_RISE_S} s"
-                if self.values.get("control.kind", ("nck", ""))[0] != "nck":
+                if self.values.get("control.kind", ("nck", ""))[0] not in NCKS:
                     rise += "; asked for where control.kind is nck"
                 self.axis(letter, "j_max", (a_max if a_max > 0 else 1) / JERK_RISE_S, rise)
             self._stand_within(letter)

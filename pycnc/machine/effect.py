@@ -4,6 +4,7 @@
 import itertools
 
 from pycnc.machine import Machine
+from pycnc.machine.control import NCKS
 from pycnc.machine.schema import AXES
 
 _DECIDING = ("path.slope", "dialect.base")  # by these it goes whether others have an effect
@@ -65,7 +66,7 @@ def idle(machine, key, plan="exact"):
     if plan in _PLANNED and key in ("path.slope", "path.tolerance_mm"):
         return _PLANNED[plan]
     kind = settings.control.kind
-    if kind != "nck" and plan == "exact" and key in _JERK | _NCK_ALONE:
+    if kind not in NCKS and plan == "exact" and key in _JERK | _NCK_ALONE:
         return f"{kind} plans without it; control.kind=nck does with it"
     if key in _JERK and settings.path.slope == "linear" and plan != "sshape":
         return "the linear slope tells jerk and does not limit it; path.slope=jerk does"

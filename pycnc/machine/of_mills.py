@@ -120,7 +120,7 @@ def _planner(source, unit):
         return
     given = dict(word.split("=", 1) for word in words if "=" in word)
     slope = given.get("planner", source.word(("traj", "nck_planner")) or "optimal").lower()
-    source.draft.put("control.kind", "nck", "TPMOD = nck_tp")
+    source.draft.put("control.kind", "nck_tp", "TPMOD = nck_tp")
     source.draft.put("path.slope", slope, "planner of nck_tp")
     within, comment = source.number(("traj", "nck_tolerance"))
     if "path.tolerance_mm" not in source.draft.values:

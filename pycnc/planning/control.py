@@ -13,7 +13,7 @@ from pycnc import errors, kernel
 from pycnc.kernel.bind import check, ffi, lib, pointer
 from pycnc.kernel.records import copied, dtype
 from pycnc.machine import Machine
-from pycnc.machine.control import GRBLS, PRINTERS
+from pycnc.machine.control import GRBLS, NCKS, PRINTERS
 from pycnc.machine.schema import AXES, unit_of
 from pycnc.program import limits
 
@@ -34,7 +34,7 @@ _DEVIATION = {"marlin": 0.013}
 
 def is_foreign(machine):
     """Tell whether a machine's times are another control's."""
-    return machine.settings.control.kind != "nck"
+    return machine.settings.control.kind not in NCKS
 
 
 def refuse(machine, what):

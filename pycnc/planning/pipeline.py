@@ -19,7 +19,6 @@ import time
 import numpy as np
 
 from pycnc import errors, kernel
-from pycnc.planning import control
 from pycnc.kernel.batches import Batch, Early, Late
 from pycnc.kernel.records import dtype
 
@@ -42,14 +41,19 @@ def cores():
 def is_worth(program):
     """Return whether a program that is decoded is planned sooner by several cores."""
     is_big = program.block_count > kernel.BLOCK_ROWS
-    return is_big and not program.has_threads and cores() > 1
+    return is_big and not program.has_threads and _has_rooms(program.machine) and cores() > 1
+
+
+def _has_rooms(machine):
+    """Return whether the rooms of a machine's planner can work side by side: the package's can."""
+    return machine.settings.control.kind == "nck"
 
 
 @contextlib.contextmanager
 def beside(wanted=True, machine=None):
     """Give a Pipeline, whose threads end with the context; None on one core, if not wanted, and
-    for a machine with another control's planner."""
-    if not wanted or cores() == 1 or (machine is not None and control.is_foreign(machine)):
+    for a machine with another planner than the package's."""
+    if not wanted or cores() == 1 or (machine is not None and not _has_rooms(machine)):
         yield None
         return
     with Pipeline() as line:

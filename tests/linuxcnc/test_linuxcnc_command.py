@@ -28,8 +28,9 @@ def ini(tmp_path):
 
 
 @pytest.mark.parametrize(("words", "kind", "slope"), [
-    ("TPMOD = nck_tp", "nck", "optimal"), ("TPMOD = nck_tp planner=jerk", "nck", "jerk"),
-    ("TPMOD = nck_tp\nNCK_PLANNER = Linear", "nck", "linear"), ("TPMOD = tpmod", "linuxcnc", None),
+    ("TPMOD = nck_tp", "nck_tp", "optimal"), ("TPMOD = nck_tp planner=jerk", "nck_tp", "jerk"),
+    ("TPMOD = nck_tp\nNCK_PLANNER = Linear", "nck_tp", "linear"),
+    ("TPMOD = tpmod", "linuxcnc", None),
 ])  # fmt: skip
 def test_a_machine_that_is_imported_has_the_planner_that_is_loaded(ini, words, kind, slope):
     text = Machine(traj=words).ini + "MIN_LIMIT = -100\nMAX_LIMIT = 100\n"
