@@ -14,7 +14,9 @@ enum {
     WAIT_FOR_CURVE = 400,  // … of a curve, whose next window is long in the making
     PATIENCE = 40,         // the same while the tool moves, and is near the end of what is known
     PATIENCE_FAR = 100,    // the same wherever it is: chords may be known and not be a path yet
-    WAY_UNDER_WAY = 60     // [ms] at full speed that a plan takes to be made, at most
+    WAY_UNDER_WAY = 60,    // [ms] at full speed that a plan takes to be made, at most
+    BRAKE = 60,            // [1000 instructions] a tick of more brakes, or sets off, by itself
+    BESIDE_BRAKE = 12      // of a step beside it
 };
 
 // Limits further out than the kernel takes are none.
@@ -228,12 +230,14 @@ void feed_prepare(planner_t *self) {
     const uint32_t most = PARTS * self->budget;
     uint32_t done = nck_tick_price(&self->nck);
     uint32_t price = nck_price(&self->nck);
-    int more = 1;
-    do {
+    // A step each cycle, whatever it takes; beside a brake that takes all of the budget a small one.
+    int more = done <= most || done <= PARTS * BRAKE || price <= PARTS * BESIDE_BRAKE;
+    while (more) {
         done += price;
         more = step(self);
         price = nck_price(&self->nck);
-    } while (more && done + price <= most);
+        if (done + price > most) break;
+    }
     if (more && self->told.v > 0.0) hurry(self); // a plan of less than its window comes in time
     self->told.work = done / PARTS;
 }
