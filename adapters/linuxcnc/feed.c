@@ -180,7 +180,7 @@ static void fail(planner_t *self) {
     while (nck_diagnostic(&self->nck, &found) == NCK_OK) {
         if (found.code >= NCK_OK) continue;
         (void)snprintf(text, sizeof text, "move %d: %s",
-                       (int)moves_at(&self->moves, found.line)->id, nck_status_id(found.code));
+                       (int)moves_at(&self->moves, found.line)->id, nck_diagnostic_id(found.code));
         self->hooks.message(text);
     }
     self->failed = 1;

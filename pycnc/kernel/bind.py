@@ -28,9 +28,9 @@ def status_id(status):
     return ffi.string(lib.nck_status_id(status)).decode()
 
 
-def note_id(note):
-    """Return the stable id of a note, such as ``"assumed-units"``."""
-    return ffi.string(lib.nck_note_id(note)).decode()
+def diagnostic_id(code):
+    """Return the stable id of a diagnostic's code, of an error or a note (``"assumed-units"``)."""
+    return ffi.string(lib.nck_diagnostic_id(code)).decode()
 
 
 def check(status, diagnostic=None):

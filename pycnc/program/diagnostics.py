@@ -8,7 +8,7 @@ from decimal import Decimal
 
 import numpy as np
 
-from pycnc.kernel.bind import lib, note_id, status_id
+from pycnc.kernel.bind import diagnostic_id, lib
 from pycnc.program.shown import Tables, frame, rows_table
 from pycnc.program.wording import META, WORDING
 
@@ -201,7 +201,7 @@ class Wording:
         kept, extra = [], []
         for code in sorted(set(rows["code"].tolist())):  # np.unique imports numpy.ma for it
             of_code = np.flatnonzero(rows["code"] == code)
-            room = max(SHOWN_PER_ID - diagnostics.counts[_id(code)], 0)
+            room = max(SHOWN_PER_ID - diagnostics.counts[diagnostic_id(code)], 0)
             kept.extend(of_code[:room])
             if len(of_code) > room:
                 extra.append((of_code[room], len(of_code) - room))
@@ -211,7 +211,7 @@ class Wording:
             diagnostics.add(self._finding(rows[index]), count)
 
     def _finding(self, row):
-        name = _id(int(row["code"]))
+        name = diagnostic_id(int(row["code"]))
         line, column = int(row["line"]), int(row["column"])
         source = self._lines[line]
         fields = self._fields(name, row, source)
@@ -320,17 +320,13 @@ def _places(lines, count):
     return f": line{'s' * (count > 1)} {some}{more}" if some else ""
 
 
-def _id(code):
-    return status_id(code) if code < 0 else note_id(code)
-
-
 def _codes(prefix):
     return sorted((getattr(lib, name) for name in dir(lib) if name.startswith(prefix)), key=abs)
 
 
 def ids():
     """Return the ids of all errors and notes that the kernel may tell, errors first."""
-    return [status_id(code) for code in _codes("NCK_E_")] + sorted(_NOTES)
+    return [diagnostic_id(code) for code in _codes("NCK_E_")] + sorted(_NOTES)
 
 
 def severity_of(name):
@@ -373,4 +369,4 @@ def _tag(severity, name, colour):
     return _paint(f"{severity}[{name}]", _SEVERITY_COLOURS[severity], colour)
 
 
-_NOTES = frozenset(note_id(code) for code in _codes("NCK_NOTE_"))
+_NOTES = frozenset(diagnostic_id(code) for code in _codes("NCK_NOTE_"))

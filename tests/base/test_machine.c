@@ -297,9 +297,10 @@ static void every_code_has_an_id_of_its_own(check_t *check) {
     CHECK(check, strcmp(nck_status_id(NCK_E_ARC_RADIUS), "arc-radius") == 0);
     CHECK(check, strcmp(nck_status_id(12345), "unknown") == 0);
     for (int note = NCK_NOTE_UNITS; note <= NCK_NOTE_COMP_LEFT; note++) {
-        CHECK(check, strcmp(nck_note_id(note), "unknown") != 0);
+        CHECK(check, strcmp(nck_diagnostic_id(note), "unknown") != 0);
     }
-    CHECK(check, strcmp(nck_note_id(NCK_NOTE_ARC_CENTRE), "assumed-centre") == 0);
+    CHECK(check, strcmp(nck_diagnostic_id(NCK_NOTE_ARC_CENTRE), "assumed-centre") == 0);
+    CHECK(check, strcmp(nck_diagnostic_id(NCK_E_ARC_RADIUS), "arc-radius") == 0);
 }
 
 int main(void) {

@@ -264,8 +264,7 @@ static inline void told_finding(told_t *self, const nck_diagnostic_t *finding) {
     const int unsaid = finding->code >= NCK_NOTE_UNITS && finding->code <= NCK_NOTE_ARC_CENTRE;
     if (unsaid && self->notes != 1) return;
     if (finding->code == NCK_NOTE_NO_END && self->notes == 0) return;
-    const char *const id = finding->code < 0 ? nck_status_id(finding->code)
-                                             : nck_note_id(finding->code);
+    const char *const id = nck_diagnostic_id(finding->code);
     told_add(self, "%s%c%u:%u %s", self->size > 0 ? "; " : "", finding->code < 0 ? '!' : '?',
              (unsigned)finding->line, (unsigned)finding->column, id);
     if (finding->letter != 0) told_add(self, " %c", (char)finding->letter);

@@ -16,7 +16,7 @@ import rs274_oracle
 from sampling import cheap_first
 
 from pycnc import stages
-from pycnc.kernel.bind import lib, note_id, status_id
+from pycnc.kernel.bind import diagnostic_id, lib, status_id
 from pycnc.machine import Machine
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -302,7 +302,7 @@ def test_any_bytes_end_with_a_block_or_an_error(machine, data):
     assert len(blocks) > 0 or len(errors_of(diagnostics)) > 0
     ids = [each["code"] for each in diagnostics]
     assert all(status_id(int(k)) != "unknown" for k in ids if k < 0)
-    assert all(note_id(int(k)) != "unknown" for k in ids if k > 0)
+    assert all(diagnostic_id(int(k)) != "unknown" for k in ids if k > 0)
     assert np.isfinite(blocks["feed"]).all()
 
 

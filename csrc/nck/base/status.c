@@ -121,6 +121,7 @@ const char *nck_status_id(int32_t status) {
     return id_of(status_codes, sizeof status_codes, status_ids, status);
 }
 
-const char *nck_note_id(int32_t note) {
-    return id_of(note_codes, sizeof note_codes, note_ids, note);
+const char *nck_diagnostic_id(int32_t code) {
+    if (code < 0) return nck_status_id(code);
+    return id_of(note_codes, sizeof note_codes, note_ids, code);
 }

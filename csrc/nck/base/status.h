@@ -157,7 +157,7 @@ typedef enum nck_note {
 
 // One finding in a program. Wording is the caller's; ids and numbers are the kernel's.
 typedef struct nck_diagnostic {
-    int32_t code;    // negative: nck_status_t; positive: nck_note_t
+    int32_t code;    // negative: nck_status_t; positive: nck_note_t; nck_diagnostic_id names both
     uint32_t line;   // 1-based source line
     uint32_t column; // 1-based byte column; 0: the whole line
     int32_t letter;  // the word's letter in upper case, 0 if none
@@ -165,12 +165,14 @@ typedef struct nck_diagnostic {
     double limit;    // what it was held against
 } nck_diagnostic_t;
 
-// The stable id of a status ("arc-radius"), "ok" and the like for non-errors, never NULL.
+// The stable id of a status that a call returns ("arc-radius"; "ok" and the like for
+// non-errors), never NULL.
 // Cost: linear in the number of codes. Context: any.
 const char *nck_status_id(int32_t status);
 
-// The stable id of a note ("assumed-units"), never NULL. Cost and context as above.
-const char *nck_note_id(int32_t note);
+// The stable id of what a diagnostic's code says, a status below zero or a note above it
+// ("assumed-units"), never NULL. Cost and context as above.
+const char *nck_diagnostic_id(int32_t code);
 
 #ifdef __cplusplus
 }
