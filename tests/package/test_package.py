@@ -18,6 +18,7 @@ from pathlib import Path
 import pytest
 
 import cases
+import sampling
 
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "tests" / "package" / "project"
@@ -301,7 +302,7 @@ def test_the_pair_can_have_other_capacities(tool, tmp_path):
 # docs/firmware.md
 
 
-PAGE_PROGRAM = "G21 G90 G61\nS1200 M3\nM8\nG1 F3000 X60\nG3 X90 Y30 J30\nG1 Y80\nM9\nM2\n"
+PAGE_PROGRAM = "G21 G90 G17 G91.1 G61\nS1200 M3\nM8\nG1 F3000 X60\nG3 X90 Y30 J30\nG1 Y80\nM9\nM2\n"
 PAGE_END = [90_000_000, 80_000_000, 0]  # [nm]
 PAGE_STEP = 50_001  # F3000 in one period, rounded at both ends [nm]
 
@@ -316,16 +317,17 @@ def page_firmware(prefix, tmp_path_factory):
         assert blocks, f"the page has no {language}"
         (folder / name).write_text("".join(blocks), encoding="utf-8")
     shutil.copy(PACKAGE / "board.c", folder)
-    (folder / "part.ngc").write_text(PAGE_PROGRAM)
     strict = [word for word in STRICT if word != "-Wmissing-prototypes"]  # its caller is the board
     flags = f"-DCMAKE_C_FLAGS={' '.join(strict)}"
     done = configure(folder, folder / "build", f"-DCMAKE_PREFIX_PATH={prefix}", flags)
     assert done.returncode == 0, done.stdout + done.stderr
     call(CMAKE, "--build", folder / "build")
 
-    def run(*panel):
+    def run(*panel, text=PAGE_PROGRAM, told=()):
+        (folder / "part.ngc").write_text(text)
         command = [folder / "build" / "firmware", folder / "part.ngc", *map(str, panel)]
         done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+        assert done.stderr.splitlines()[:-1] == list(told)
         lines = done.stdout.splitlines()
         rows = [list(map(int, row.split())) for row in lines if row[0] in "-0123456789"]
         return done.returncode, rows, [row for row in lines if row[0] in "sc"]
@@ -333,7 +335,8 @@ def page_firmware(prefix, tmp_path_factory):
     def prefill(text):
         (folder / "long.ngc").write_text(text)
         command = [folder / "build" / "firmware", folder / "long.ngc", "1", "abort"]
-        return int(subprocess.run(command, capture_output=True, text=True, timeout=60).stderr)
+        done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+        return int(done.stderr.splitlines()[-1])
 
     run.prefill = prefill
     return run
@@ -358,6 +361,23 @@ def test_the_firmware_of_the_page_runs_a_program(page_firmware):
     assert rows[-1] == PAGE_END
     assert largest_step(rows) <= PAGE_STEP
     assert outputs == ["spindle 1200", "coolant 1", "coolant 0"]
+
+
+def test_the_firmware_of_the_page_runs_long_programs_and_tells_what_it_finds(
+    page_firmware, request
+):
+    rng = sampling.generator(request.config, "long programs of the page")
+    for count in (rng.randrange(300, 1000), rng.randrange(2000, 6000)):
+        way = "".join(f"X{rng.uniform(0, 1):.3f} Y{rng.uniform(0, 1):.3f}\n" for _ in range(count))
+        text = f"G21 G90 G17 G61 F3000 G1\n{way}X7 Y5\n"
+        status, rows, _ = page_firmware(text=f"{text}M2\n")
+        assert (status, rows[-1]) == (0, [7_000_000, 5_000_000, 0])
+        status, rows, _ = page_firmware(
+            text=f"{text}G3 X9 Y5 I1\nX1 Q1\nM2\n",
+            told=[f"line {count + 3}, column 0: assumed-centre",
+                  f"line {count + 4}, column 4: word-unused"],
+        )  # fmt: skip
+        assert (status, rows[-1]) == (0, [9_000_000, 5_000_000, 0])
 
 
 def test_the_panel_of_the_page_holds_and_goes_on(page_firmware):

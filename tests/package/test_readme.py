@@ -8,6 +8,7 @@ import subprocess
 import sys
 
 import pytest
+import sampling
 
 from pycnc import bench
 
@@ -33,17 +34,61 @@ def test_the_python_example_tells_time_and_peak(tmp_path):
     assert 0.5 < peak <= 1.0 + 1e-6
 
 
+@pytest.fixture(scope="module")
+def in_c(tmp_path_factory):
+    """Return a function that runs the C example with other text: (rows, what it tells)."""
+    folder = tmp_path_factory.mktemp("in_c")
+    script = [sys.executable, ROOT / "cmake" / "amalgamate.py", "--out", folder / "nck"]
+    subprocess.run(script, check=True)
+    command = ["cc", "-std=c99", "-O1", "-Wall", "-Wextra", "-Werror", f"-I{folder}"]
+    subprocess.run([*command, "-c", folder / "nck" / "nck.c", "-o", folder / "nck.o"], check=True)
+
+    def run(text=None):
+        code = example("c")
+        if text is not None:
+            literal = "\n".join(f'"{line}\\n"' for line in text.splitlines())
+            code, found = re.subn(r'(?<=text\[\] = )".*"', lambda _: literal, code)
+            assert found == 1
+        (folder / "example.c").write_text(code)
+        program = [folder / "example.c", folder / "nck.o", "-lm", "-o", folder / "example"]
+        subprocess.run([*command, *program], check=True)
+        done = subprocess.run(
+            [folder / "example"], capture_output=True, text=True, check=True, timeout=120
+        )
+        rows = [tuple(map(int, row.split())) for row in done.stdout.splitlines()]
+        return rows, done.stderr.splitlines()
+
+    return run
+
+
 @pytest.mark.seldom(4, "README.md", "csrc/nck/nck.h")
-def test_the_c_example_compiles_alone_and_ends_on_its_end_point(tmp_path):
-    source = tmp_path / "example.c"
-    source.write_text(example("c"))
-    command = ["cc", "-std=c99", "-Wall", "-Wextra", "-Werror", f"-I{ROOT / 'csrc'}"]
-    kernel = sorted(map(str, (ROOT / "csrc" / "nck").rglob("*.c")))
-    subprocess.run([*command, source, *kernel, "-lm", "-o", tmp_path / "example"], check=True)
-    run = subprocess.run([tmp_path / "example"], capture_output=True, text=True, check=True)
-    rows = [tuple(map(int, row.split())) for row in run.stdout.splitlines()]
+def test_the_c_example_compiles_alone_and_ends_on_its_end_point(in_c):
+    rows, told = in_c()
     assert rows[-1] == (60_000_000, 20_000_000)
     assert max(abs(b[0] - a[0]) for a, b in zip(rows, rows[1:])) <= 50_001
+    assert told == []
+
+
+@pytest.mark.seldom(4, "README.md", "csrc/nck/nck.h")
+def test_the_c_example_runs_programs_of_any_length_to_their_end(in_c, request):
+    rng = sampling.generator(request.config, "the C example")
+    for lines in (0, 1, rng.randrange(300, 3000), rng.randrange(3000, 9000)):
+        way = [f"G1 X{rng.uniform(0, 9):.3f} Y{rng.uniform(0, 9):.3f}" for _ in range(lines)]
+        for k in range(0, lines, 500):
+            way[k] = rng.choice(["M0", "G4 P0.1", "S100 M3", "M6 T1"])
+        rows, told = in_c("\n".join(["G21 G90 G61 F3000", *way, "G1 X7 Y5", "M2"]))
+        assert rows[-1] == (7_000_000, 5_000_000)
+        assert told == []
+
+
+@pytest.mark.seldom(4, "README.md", "csrc/nck/nck.h")
+def test_the_c_example_tells_an_error_and_runs_what_stands_before_it(in_c, request):
+    rng = sampling.generator(request.config, "an error in the C example")
+    good = rng.randrange(1, 3000)
+    way = [f"G1 X{k % 7} Y{k % 5}" for k in range(good)]
+    rows, told = in_c("\n".join(["G21 G90 G61 F3000", *way, "G1 X9 Q1", *way, "M2"]))
+    assert told == [f"line {good + 2}: word-unused"]
+    assert rows[-1] == ((good - 1) % 7 * 1_000_000, (good - 1) % 5 * 1_000_000)
 
 
 def test_the_readme_fits_on_two_screens():

@@ -4,14 +4,15 @@
 //
 //     firmware PROGRAM [PERIOD hold|start|half|full|abort]…
 //
-// Prints on standard error how often it has planned before the first period.
+// Prints on standard error what the operator is told, then how often it has planned before the
+// first period.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "nck/nck.h"
 
-enum { PREFILL_MAX = 100000, STEPS = 200, PERIODS_MAX = 100000 };
+enum { PREFILL_MAX = 100000, STEPS = 200, PERIODS_MAX = 1000000 };
 
 // What the page has the reader write, and what it defines.
 size_t line_read(char *text, size_t size);
@@ -19,6 +20,7 @@ int line_is_closed(void);
 void drives_write(const int64_t *joint_nm);
 void spindle_set(double rpm);
 void coolant_set(int on);
+void operator_told(uint32_t place, uint32_t column, const char *id);
 nck_status_t motion_init(const int64_t *position_nm);
 nck_status_t motion_plan(void);
 int motion_tick(void);
@@ -32,6 +34,9 @@ static FILE *line;
 size_t line_read(char *text, size_t size) { return fread(text, 1, size, line); }
 int line_is_closed(void) { return feof(line); }
 void spindle_set(double rpm) { printf("spindle %g\n", rpm); }
+void operator_told(uint32_t place, uint32_t column, const char *id) {
+    fprintf(stderr, "line %u, column %u: %s\n", (unsigned)place, (unsigned)column, id);
+}
 void coolant_set(int on) { printf("coolant %d\n", on); }
 
 void drives_write(const int64_t *joint_nm) {
@@ -63,14 +68,17 @@ static int plan(int steps_max, int *is_done_out) {
 // Run until nothing is left, or the panel rests in a hold. Returns 0 if all was executed.
 static int run(int count, char **arguments) {
     int is_done = 0;
-    fprintf(stderr, "%d\n", plan(PREFILL_MAX, &is_done));
+    const int planned = plan(PREFILL_MAX, &is_done);
     for (int period = 1; period <= PERIODS_MAX; period++) {
         for (int k = 2; k + 1 < count; k += 2) {
             if (atoi(arguments[k]) == period) operate(arguments[k + 1]);
         }
         const int is_moving = motion_tick();
         if (!is_done) (void)plan(STEPS, &is_done);
-        if (!is_moving && is_done) return 0;
+        if (!is_moving && is_done) {
+            fprintf(stderr, "%d\n", planned);
+            return 0;
+        }
     }
     return 1;
 }
