@@ -67,7 +67,7 @@ void nck_host_why_row(nck_host_why_seg_t *row, double tangent[NCK_AXIS_MAX], con
     row->line = seg->line;
     row->s_begin = seg->s_begin;
     row->stop = seg->stop;
-    row->clocked = seg->kind == NCK_SEG_SPLINE;
+    row->clocked = seg->kind == NCK_SEG_SPLINE || seg->keeps == NCK_KEEP_REST;
     row->axis = NCK_AXIS_MAX;
     if (moves) nck_path_tangent_part(seg, 0.0, terms->axes, here);
     if (moves && seg->seq > 0) meet(row, tangent, here, terms);
@@ -149,10 +149,23 @@ static uint32_t line_at(const nck_host_why_t *self, double s) {
 
 static int is_rest(uint32_t kind) { return kind == NCK_SEG_DWELL || kind == NCK_SEG_WAIT; }
 
-// 1 if the path rests at the start of the piece in work for its corner alone: nothing asks for it.
-static int is_stopped_at(nck_host_why_t *self, const nck_host_why_piece_t *before) {
+// What holds the path between two pieces: at a stop what that is for, a rest of the program, a
+// thread, smoothing that begins or ends; else the piece's own limit.
+static uint32_t reason_of(nck_host_why_t *self, const nck_host_why_piece_t *before) {
     const nck_host_why_piece_t *const piece = &self->piece;
-    return piece->limit == NCK_LIMIT_EXACT_STOP && !(piece->v_node > 0.0)
+    const nck_host_why_piece_t *const rest = is_rest(piece->kind) ? piece : before;
+    const int is_clocked = seg_at(self, rest->seg)->clocked;
+    if (is_rest(rest->kind) && is_clocked) return NCK_LIMIT_MODE;
+    if (is_rest(rest->kind)) return rest->kind == NCK_SEG_WAIT ? NCK_LIMIT_WAIT : NCK_LIMIT_DWELL;
+    if (piece->limit != NCK_LIMIT_EXACT_STOP) return piece->limit;
+    if (piece->kind >= NCK_SEG_THREAD || before->kind >= NCK_SEG_THREAD) return NCK_LIMIT_THREAD;
+    return is_clocked && !seg_at(self, piece->seg)->clocked ? NCK_LIMIT_MODE : piece->limit;
+}
+
+// 1 if the path rests at the start of the piece in work for its corner alone: nothing asks for it.
+static int is_stopped_at(nck_host_why_t *self, const nck_host_why_piece_t *before, uint32_t limit) {
+    const nck_host_why_piece_t *const piece = &self->piece;
+    return limit == NCK_LIMIT_EXACT_STOP && !(piece->v_node > 0.0)
            && piece->seg != before->seg && !seg_at(self, before->seg)->stop
            && angle_of(seg_at(self, piece->seg)) > LEAST_ANGLE;
 }
@@ -167,12 +180,10 @@ static nck_host_low_t low_of(nck_host_why_t *self, const nck_host_why_piece_t *b
     nck_host_low_t low = {piece->limit, 0, is_before ? before->seg : piece->seg, 0,
                           NCK_AXIS_MAX, 0, 0.0, 0.0};
     low.line = is_before ? self->line : line_at(self, self->begun ? before->s_end : own->s_begin);
-    const uint32_t rest = is_rest(piece->kind) ? piece->kind : before->kind;
+    if (self->begun) low.limit = reason_of(self, before);
     if (!self->begun) {
         low.ends = 1;
-    } else if (is_rest(rest)) {
-        low.limit = rest == NCK_SEG_DWELL ? NCK_LIMIT_DWELL : NCK_LIMIT_WAIT;
-    } else if (low.limit == NCK_LIMIT_CORNER || is_stopped_at(self, before)) {
+    } else if (low.limit == NCK_LIMIT_CORNER || is_stopped_at(self, before, low.limit)) {
         low.limit = NCK_LIMIT_CORNER;
         low.axis = own->axis;
         low.angle = angle_of(own);
@@ -258,7 +269,9 @@ static void add_limit(nck_host_why_t *self, uint32_t limit, double time) {
         self->down.limit_s += time;
         return;
     }
-    nck_host_cause_sum(&self->limit_s[limit], time);
+    // A rest that nobody asked for is none of the program's dwells.
+    const int is_own = is_rest(self->piece.kind) && seg_at(self, self->piece.seg)->clocked;
+    nck_host_cause_sum(&self->limit_s[is_own ? (uint32_t)NCK_LIMIT_MODE : limit], time);
 }
 
 // What the piece's own cap costs over the feed, and the ramp over the cap.

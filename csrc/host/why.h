@@ -34,7 +34,7 @@ typedef struct nck_host_why_seg {
     uint32_t line;
     uint16_t axis;              // that has the most of the corner at its start
     uint8_t stop;               // 1: exact stop at its end
-    uint8_t clocked;            // 1: an interval of a clocked path
+    uint8_t clocked;            // 1: an interval of a clocked path, or the rest before the first
     double s_begin;             // path before it [path mm]
     double less, more;          // |a − b|² and |a + b|² of the tangents a, b at its start
 } nck_host_why_seg_t;

@@ -35,6 +35,7 @@ WORDS = {
     "feed_max": "the machine's highest feed",
     "spindle": "the spindle's speed",
     "thread": "threads: the spindle, and the wait for its angle",
+    "mode": "stops where smoothing begins or ends",
 }
 _ENDS = "start and end of the program"
 _ASKED = "stops that G61.1 and G9 ask for"

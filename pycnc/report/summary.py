@@ -29,6 +29,7 @@ LIMIT_WORDS = {
     "feed_max": "the machine's highest feed",
     "spindle": "the spindle, which follows the surface speed",
     "thread": "threads: the spindle, and the wait for its angle",
+    "mode": "a stop where smoothing begins or ends",
 }
 
 

@@ -368,7 +368,7 @@ def test_the_summary_has_the_promised_keys(trace):
     assert set(trace.summary["peaks"]) == {"x", "y", "z", "path"}
     limits = {
         "feed", "rapid", "corner", "curvature", "chord", "accel", "jerk", "exact_stop", "dwell",
-        "wait", "lookahead", "starved", "feed_max", "spindle", "thread", "axis_v:x",
+        "wait", "lookahead", "starved", "feed_max", "spindle", "thread", "mode", "axis_v:x",
             "axis_v:y", "axis_v:z",
     }  # fmt: skip
     assert set(trace.summary["limit_time_s"]) == limits

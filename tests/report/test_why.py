@@ -154,6 +154,49 @@ def test_what_holds_a_clocked_path_has_its_name():
     assert limits["lookahead"] == 0
 
 
+def test_where_smoothing_begins_and_ends_is_no_dwell_and_no_corner():
+    text = "G21 G90 G17 F6000\nG64 P0.01 G1 X40\nX80\nG61 X120\nX160\nG64 P0.01 X200\nM2\n"
+    found = why(text, "mill3", "optimal")
+    mode = cause_of(found, "mode")
+    assert mode["words"] == "stops where smoothing begins or ends"
+    assert (mode["places"][0]["line_first"], mode["places"][0]["line_last"]) == (4, 6)
+    assert {each["cause"] for each in found.causes if each["lost_s"] > 1e-6} <= {"ends", "mode"}
+    limits = found.plan.totals["limit_time_s"]
+    assert limits["mode"] > mode["lost_s"] > 0 == limits["dwell"]
+
+
+def drawn_program(rng, bends, rests):
+    """Return lines with path modes, feeds and rapids at random, and bends or rests if asked."""
+    x, y, lines = 0.0, 0.0, ["G21 G90 G17 G94 F3000 S100 M3"]
+    for _ in range(int(rng.integers(5, 40))):
+        if rng.random() < 0.3:
+            modes = ["G61", "G64", "G64 P0.01", "G64 P0.1", "S200", "M8", "F500", "F6000"]
+            lines.append(str(rng.choice(modes)))
+        if rests and rng.random() < 0.2:
+            lines.append(str(rng.choice(["G4 P0.1", "G4 P0"])))
+        x += rng.uniform(0.01, 7)
+        y += rng.uniform(-10, 10) if bends else 0.0
+        lines.append(f"G{rng.integers(0, 2)} X{x:.3f} Y{y:.3f}")
+    return "\n".join([*lines, "M2", ""])
+
+
+@pytest.mark.sample(12)
+@pytest.mark.parametrize("seed", range(400))
+def test_no_cause_is_told_that_the_program_does_not_have(seed):
+    rng = np.random.default_rng([71, seed])
+    bends, rests = rng.random(2) < 0.5
+    text = drawn_program(rng, bends, rests)
+    slope = str(rng.choice(["linear", "jerk", "optimal"]))
+    tolerance = float(rng.choice([0, 0.01]))
+    machine = Machine.load("mill3", set={"path.slope": slope, "path.tolerance_mm": tolerance})
+    found = why(text, machine)
+    told = {each["cause"] for each in found.causes}
+    assert bends or not told & {"corner", "exact_stop", "curvature"}
+    assert "G4" in text or "dwell" not in told
+    assert ("G4 P0.1" in text) <= (found.plan.totals["limit_time_s"]["dwell"] > 0) <= ("G4" in text)
+    assert "mode" not in told or slope == "optimal"
+
+
 def test_far_places_are_apart_and_the_worst_comes_first():
     straight = "\n".join(f"G1 X{k}" for k in range(100, 160))
     text = f"G21 G90 G17\nG1 F3000\nX50\nY10\n{straight}\nY60\nX0\nY0\nM2\n"

@@ -134,10 +134,12 @@ typedef struct nck_block {
     nck_output_t output;  // NCK_BLOCK_OUTPUT, NCK_BLOCK_WAIT, NCK_BLOCK_END (kind M)
 } nck_block_t;
 
-// Where a seg's axes keep to their jerk beside what its own straight ways and arcs ask for.
+// Where a seg's axes keep to their jerk beside what its own straight ways and arcs ask for; of a
+// rest, whether anybody asked for it.
 typedef enum nck_keep {
     NCK_KEEP_NOTHING = 0, // exact path: junctions are crossed by the transfer rule
-    NCK_KEEP_TURNS = 1    // of a block of NCK_PATH_TURNS, or of a tolerance too small for a curve
+    NCK_KEEP_TURNS = 1,   // of a block of NCK_PATH_TURNS, or of a tolerance too small for a curve
+    NCK_KEEP_REST = 2     // a rest of no time that no block asks for: smoothing begins behind it
 } nck_keep_t;
 
 // The marks of a seg (marks.h).
@@ -214,6 +216,7 @@ typedef enum nck_limit {
     NCK_LIMIT_FEED = 0, NCK_LIMIT_RAPID, NCK_LIMIT_CORNER, NCK_LIMIT_CURVATURE, NCK_LIMIT_CHORD,
     NCK_LIMIT_ACCEL, NCK_LIMIT_JERK, NCK_LIMIT_EXACT_STOP, NCK_LIMIT_DWELL, NCK_LIMIT_WAIT,
     NCK_LIMIT_LOOKAHEAD, NCK_LIMIT_STARVED, NCK_LIMIT_FEED_MAX, NCK_LIMIT_SPINDLE, NCK_LIMIT_THREAD,
+    NCK_LIMIT_MODE, // a stop where smoothing begins or ends, as csrc/host tells it
     NCK_LIMIT_AXIS_V = 16 // + axis index
 } nck_limit_t;
 

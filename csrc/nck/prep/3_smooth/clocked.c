@@ -157,6 +157,7 @@ static void rest_first(nck_clocked_t *self, nck_seg_t *seg) {
     memset(seg, 0, sizeof *seg);
     seg->kind = NCK_SEG_DWELL;
     seg->stop = 1;
+    seg->keeps = NCK_KEEP_REST;
     seg->line = first->line[0];
     seg->block = first->block;
     seg->feed_scale = 1.0;
