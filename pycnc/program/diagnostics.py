@@ -241,6 +241,8 @@ class Wording:
             "axis": axis,
             "key": f"{axis}_{unit}",
             "end": "max" if value > limit else "min",
+            "bound": _bound(letter, value, limit),
+            "own_key": " ($30)" * (settings.control.kind in ("grbl", "grblhal")),
             "dialect": _DIALECTS.get(int(value), "a language of its own"),
             "remark": _remark(source, column),
             "key_of_g": f"{float(value):g}".replace(".", "_"),
@@ -267,6 +269,13 @@ class _Number(float):
             return super().__format__(spec)
         told = self.text or f"{Decimal(super().__format__('.15g')) + 0:f}"
         return told if len(told) <= _NUMBER else told[:_NUMBER] + "…"
+
+
+def _bound(letter, value, limit):
+    """Return what the limit of a number is, where the kernel's numbers say it."""
+    if abs(value) > abs(limit) > 0:
+        return "most"
+    return "least" if letter == "F" and 0 < value < limit else "limit"
 
 
 def _number_at(source, column, letter, value):

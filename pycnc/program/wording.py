@@ -77,11 +77,11 @@ WORDING = {
         "write the letter that the number belongs to, such as X12.5",
     ),
     "number-range": (
-        "{letter}{value} is out of range (limit {limit})",
+        "{letter}{value} is out of range ({bound} {limit})",
         "check the number and the units in force (G20 inch, G21 mm)",
     ),
     "number-range:S": (
-        "S{value} is out of range (limit {limit})",
+        "S{value} is out of range ({bound} {limit})",
         "choose another speed, or set the machine's: --set spindle.rpm_max=…",
     ),
     "number-range:$": (
@@ -92,7 +92,7 @@ WORDING = {
         "F0 is no speed that Klipper takes: it ends the print", "say a feed, or leave F out"
     ),
     "number-range:R": (
-        "R{value} is out of range (limit {limit})",
+        "R{value} is out of range ({bound} {limit})",
         "check number and units; in a cycle R lies above the bottom, a taper beside its end, and "
         "in system A R of G83 … G89 is a step from where the drill stands, 0 or less",
     ),
@@ -389,7 +389,7 @@ WORDING = {
     ),
     "speed-clipped": (
         "{found} is above spindle.rpm_max: grbl clips it there, and so are all like it",
-        "if the spindle has more: --set spindle.rpm_max=… ($30)",
+        "if the spindle has more: --set spindle.rpm_max=…{own_key}",
     ),
     "argument": ("a call to the kernel had a number outside of its range", "please report this"),
     "machine": ("the kernel refuses a number of the machine", "pycnc machine validate tells which"),
