@@ -15,6 +15,14 @@ from pycnc import bench
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
+def make_pages():
+    """Return docs/make_pages.py as a module."""
+    spec = importlib.util.spec_from_file_location("make_pages", ROOT / "docs" / "make_pages.py")
+    pages = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(pages)
+    return pages
+
+
 def example(language):
     (code,) = re.findall(rf"```{language}\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
     return code
@@ -97,13 +105,26 @@ def test_the_readme_fits_on_two_screens():
 
 @pytest.mark.parametrize("name", ["README.md", "docs/why.md"])
 def test_the_output_in_a_page_is_what_the_command_prints(name):
-    spec = importlib.util.spec_from_file_location("make_pages", ROOT / "docs" / "make_pages.py")
-    pages = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(pages)
+    pages = make_pages()
     _, shown, _ = pages.split_output((ROOT / name).read_text(encoding="utf-8"))
-    clock = r"simulated in .*"  # how busy this computer is
-    now = re.sub(clock, "", pages.example_output(name))
-    assert re.sub(clock, "", shown) == now, "run docs/make_pages.py"
+    now = pages.renewed(shown, pages.example_output(name), timing=False)
+    assert shown == now, "run docs/make_pages.py"
+
+
+def test_the_running_time_in_the_readme_is_renewed_if_it_is_asked_for():
+    pages = make_pages()
+    shown, now = "1 s\nsimulated in 1.28 s (75 times)\n", "2 s\nsimulated in 3 s (32 times)\n"
+    assert pages.renewed(shown, now, timing=True) == now
+    assert pages.renewed(shown, now, timing=False) == "2 s\nsimulated in 1.28 s (75 times)\n"
+
+
+def test_make_pages_heeds_help_and_writes_nothing():
+    before = (ROOT / "README.md").stat().st_mtime_ns
+    script = [sys.executable, ROOT / "docs" / "make_pages.py"]
+    told = subprocess.run([*script, "--help"], capture_output=True, text=True, check=True).stdout
+    assert "--timing" in told
+    assert subprocess.run([*script, "--nonsense"], capture_output=True).returncode == 2
+    assert (ROOT / "README.md").stat().st_mtime_ns == before
 
 
 # All pages
