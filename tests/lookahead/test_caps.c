@@ -306,6 +306,56 @@ static void corner_and_pieces_share_the_acceleration(check_t *check)
     }
 }
 
+// The path's acceleration on a line in a direction.
+static double gain_of(double angle)
+{
+    return fmin(machine.path.a_max, fmin(machine.axis[0].a_max / fabs(cos(angle)),
+                                         machine.axis[1].a_max / fabs(sin(angle))));
+}
+
+// What a corner costs an axis per speed: of the axis that it costs most of its acceleration.
+static double cost_of(double before, double after)
+{
+    return fmax(fabs(cos(after) - cos(before)) / machine.axis[0].a_max,
+                fabs(sin(after) - sin(before)) / machine.axis[1].a_max);
+}
+
+// Two corners within a period, under the linear slope: crossed at v, the one costs d·v, the other,
+// which is x away and may be crossed faster by a period's gain, d'·(v + A·T − x/T), and both
+// together half of an axis' acceleration in a period T.
+static void two_corners_in_a_period_share_it(check_t *check)
+{
+    uint32_t crowds = 0;
+    for (uint64_t run = 1; run <= 2000; run++) {
+        begin(7919 * run);
+        machine.slope = NCK_SLOPE_LINEAR;
+        double angle[3] = {6.28 * random_real(), 0.0, 0.0};
+        for (int k = 0; k < 2; k++) {
+            const double turn = 0.02 + 0.15 * random_real();
+            angle[k + 1] = angle[k] + (random_real() < 0.5 ? -turn : turn);
+        }
+        const double d[2] = {cost_of(angle[0], angle[1]), cost_of(angle[1], angle[2])};
+        const double x = random_real() * PERIOD * 0.5 * PERIOD / fmax(d[0], d[1]);
+        const double gain =
+            PERIOD * fmax(gain_of(angle[0]), fmax(gain_of(angle[1]), gain_of(angle[2])));
+        add_line(20.0 * cos(angle[0]), 20.0 * sin(angle[0]), 90.0);
+        add_line(x * cos(angle[1]), x * sin(angle[1]), 90.0);
+        add_line(20.0 * cos(angle[2]), 20.0 * sin(angle[2]), 90.0);
+        plan(check, 1);
+        for (uint32_t k = 0, at = 0; k < 2; k++) {
+            while (nodes[at].seg == k) at++;
+            const double alone = 0.5 * PERIOD / d[k];
+            if (x >= (alone + gain) * PERIOD) continue;
+            const double other = d[1 - k];
+            const double both = (0.5 * PERIOD - other * (gain - x / PERIOD)) / (d[k] + other);
+            const double v = fmax(0.0, fmin(alone, both));
+            CHECK_NEAR(check, sqrt(nodes[at].vv_node), v, 1e-9 * alone);
+            crowds += both < 0.95 * alone && both > 0.0;
+        }
+    }
+    CHECK(check, crowds > 1000);
+}
+
 static void pieces_are_there_as_soon_as_they_are_placed(check_t *check)
 {
     begin(1);
@@ -350,6 +400,7 @@ int main(void)
     CHECK_RUN(&check, nodes_hang_on_counts_not_on_time);
     CHECK_RUN(&check, rounding_is_no_corner);
     CHECK_RUN(&check, corner_and_pieces_share_the_acceleration);
+    CHECK_RUN(&check, two_corners_in_a_period_share_it);
     CHECK_RUN(&check, pieces_are_there_as_soon_as_they_are_placed);
     CHECK_RUN(&check, override_moves_the_feed_alone);
     return check_end(&check);
