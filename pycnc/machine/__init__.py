@@ -15,7 +15,7 @@ import pydantic
 
 from pycnc import files
 from pycnc.machine import control as controls
-from pycnc.machine import foreign, schema, source, tool_table
+from pycnc.machine import contradictions, foreign, schema, source, tool_table
 from pycnc.kernel.bind import ffi, lib, pointer
 from pycnc.machine.inputs import switches_of
 from pycnc.machine.problems import MachineFileError
@@ -366,7 +366,7 @@ def _validate(data):
         settings = MachineFile.model_validate(data)
     except pydantic.ValidationError as cause:
         return None, [_problem(error, data) for error in cause.errors()]
-    problems = list(schema.contradictions(settings))
+    problems = list(contradictions.of(settings))
     window, tools = lib.NCK_WINDOW, lib.NCK_TOOL_MAX
     if settings.path.lookahead_blocks > window:
         problems.append(
