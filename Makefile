@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Two commands for everybody. Both set up what they need, say so, and are quick the second time.
 #
-#   make run       run a program in the simulation; summary, what costs time, picture and report
+#   make run       run a program in the simulation; summary and what costs time, picture, report
 #                  FILE=part.ngc MACHINE=cak6150n PICTURE=part.png REPORT=part.html to choose
 #   make test      the suite, files of it side by side; DURATIONS=1 tells what each costs
 #
@@ -59,8 +59,6 @@ unexport PYTHONDONTWRITEBYTECODE
 
 run: $(STAMP)/module
 	$(BIN)/pycnc run "$(FILE)"$(MACHINE_OPTION)
-	@echo "What holds it back, worst first:"
-	$(BIN)/pycnc why -q "$(FILE)"$(MACHINE_OPTION)
 	$(BIN)/pycnc plot "$(FILE)"$(MACHINE_OPTION) -o "$(PICTURE)"
 	@echo "The picture of the path, coloured by speed: $(PICTURE)"
 	$(BIN)/pycnc report -q "$(FILE)"$(MACHINE_OPTION) -o "$(REPORT)"
@@ -121,7 +119,7 @@ $(STAMP)/names-$(NAMES):
 # The editable install: Python files are used where they stand, the C module is built. It knows the
 # files by name, so a new one needs it again.
 $(STAMP)/module: $(STAMP)/venv pyproject.toml $(SOURCES) $(STAMP)/names-$(NAMES)
-	@echo "building pycnc"
+	@echo "building pycnc: the kernel is compiled, some minutes the first time"
 	$(BIN)/python -m pip install -q --disable-pip-version-check \
 	    --no-build-isolation --no-deps -e .
 	@touch $@

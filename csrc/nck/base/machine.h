@@ -46,7 +46,8 @@ typedef enum nck_dialect {
     NCK_DIALECT_GRBLHAL = 4 // grbl's, with most of LinuxCNC's words
 } nck_dialect_t;
 
-// Who speaks so, as bits of a set: dialects, and Fanuc's mills and lathes are two.
+// Who speaks so, as bits of a set: dialects; Fanuc is two, since a code of its mills (G70 … G94)
+// may mean something else on its lathes.
 typedef enum nck_tongue {
     NCK_TONGUE_LINUXCNC = 1,
     NCK_TONGUE_FANUC = 2,   // its mills
