@@ -16,7 +16,7 @@ enum {
     PATIENCE_FAR = 100,    // the same wherever it is: chords may be known and not be a path yet
     WAY_UNDER_WAY = 60,    // [ms] at full speed that a plan takes to be made, at most
     BRAKE = 60,            // [1000 instructions] a tick of more brakes, or sets off, by itself
-    BESIDE_BRAKE = 12      // of a step beside it
+    BESIDE_BRAKE = 8       // of a step beside it
 };
 
 // Limits further out than the kernel takes are none.
@@ -230,7 +230,7 @@ void feed_prepare(planner_t *self) {
     const uint32_t most = PARTS * self->budget;
     uint32_t done = nck_tick_price(&self->nck);
     uint32_t price = nck_price(&self->nck);
-    // A step each cycle, whatever it takes; beside a brake that takes all of the budget a small one.
+    // A step each cycle, whatever it takes; beside a brake of more than the budget a small one.
     int more = done <= most || done <= PARTS * BRAKE || price <= PARTS * BESIDE_BRAKE;
     while (more) {
         done += price;
