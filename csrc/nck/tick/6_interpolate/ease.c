@@ -243,7 +243,10 @@ static nck_num change_at_last(const ease_pace_t *pace, nck_num change, nck_num m
 }
 
 static ease_trial_t trial_of(const ease_pace_t *pace, nck_num change, nck_num period) {
-    ease_trial_t trial = {change, *pace, EASE_GOOD};
+    ease_trial_t trial;
+    trial.change = change;
+    trial.verdict = EASE_GOOD;
+    trial.pace.way = pace->way;
     trial.pace.dk = pace->dk + change * period;
     trial.pace.k = pace->k + NCK_NUM_OF(0.5) * (pace->dk + trial.pace.dk) * period;
     if (!(trial.pace.k > 0) || trial.pace.k > 1) trial.verdict = EASE_BAD;
@@ -267,14 +270,14 @@ static nck_num choose(const ease_pace_t *pace, const ease_range_t *range, ease_w
     const nck_num k = pace->k + (pace->dk + gains) * period;
     const int brakes = pace->way < 0;
     const nck_num softer = brakes ? half * wish->share : 0;
-    ease_trial_t trials[TRIALS] = {
-        trial_of(pace, least + room * wish->share, period),
-        trial_of(pace, least + room * softer, period),
-    };
+    ease_trial_t trials[TRIALS];
+    trials[0] = trial_of(pace, least + room * wish->share, period);
+    trials[1] = trial_of(pace, least + room * softer, period);
     const int count = brakes || is_last(pace, wish->free, period) ? TRIALS : 1;
     const ease_trial_t *const found =
         try_all(trials, count, walk, on, nck_num_max(0, nck_num_min(k, 1)));
-    if (found == &trials[0]) wish->share = nck_num_min(1, 2 * wish->share);
+    const nck_num grows = brakes ? 2 : NCK_NUM_OF(1.5); // what sets off is in no hurry
+    if (found == &trials[0]) wish->share = nck_num_min(1, grows * wish->share);
     else if (!brakes || !found) wish->share = nck_num_max(SHARE_LEAST, half * wish->share);
     return found ? found->change : change_at_last(pace, least, wish->free, period);
 }
