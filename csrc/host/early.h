@@ -40,7 +40,7 @@ typedef struct nck_host_batch_seg {
     double length_mm;      // programmed path up to its end
     uint32_t seq, block;   // as in the seg
     uint8_t rapid;         // 1: G0
-    uint8_t kind;          // nck_seg_kind_t; of a spline room 5 asks for all, the next of batch.wholes
+    uint8_t kind;          // nck_seg_kind_t; a spline is the next of batch.wholes
     uint8_t reserved[6];   // 0
 } nck_host_batch_seg_t;
 

@@ -7,7 +7,9 @@
 #include "check.h"
 #include "nck/base/machine.h" // nck_machine_check
 
-enum { BEST = NCK_HAS_OPTIMAL ? NCK_SLOPE_OPTIMAL : NCK_HAS_JERK ? NCK_SLOPE_JERK : NCK_SLOPE_LINEAR };
+enum {
+    BEST = NCK_HAS_OPTIMAL ? NCK_SLOPE_OPTIMAL : NCK_HAS_JERK ? NCK_SLOPE_JERK : NCK_SLOPE_LINEAR
+};
 
 static nck_machine_t machine;
 

@@ -204,7 +204,8 @@ static void slices_of_any_size_give_the_same_bits(check_t *check)
 
 static void a_full_problem_leaves_samples_out_and_has_one_in_every_bin(check_t *check)
 {
-    const nck_fair_task_t task = {FAIR_KNOTS, 2, 0, 40, (nck_num)0.05, 0, 15, (nck_num)0.03, {1, 1}};
+    const nck_fair_task_t task = {FAIR_KNOTS, 2, 0, 40, (nck_num)0.05, 0, 15, (nck_num)0.03,
+                                  {1, 1}};
     nck_fair_begin(&fair, &task);
     const nck_num off[2] = {(nck_num)0.1, 0}, none[2] = {0, 0};
     for (int i = 0; i < FAIR_KNOTS; i++) {

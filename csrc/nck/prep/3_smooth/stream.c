@@ -33,8 +33,7 @@
 #define EVEN ((nck_num)4.0) // of a curve along a planned clock: 16 wins 0.1 % and takes half as
                             // many iterations again
 #define STAY ((nck_num)0.03) // of a curve off its samples; without it a third more iterations
-#define FIRM ((nck_num)16.0) // how much more than a sum's rounding that is: else a wide P leaves a
-                             // matrix in single precision that has no inverse
+#define FIRM ((nck_num)16.0) // … ε scale² at least: less, and a wide P's matrix has no inverse
 #define POINTS 8   // reference points and nodes a call
 
 static nck_status_t go(nck_stream_t *self, nck_stream_phase_t phase) {
@@ -496,7 +495,6 @@ void nck_stream_take(nck_stream_t *self, nck_stream_piece_t *piece_out) {
     piece_out->block = element->block;
     const double x = 0.5 * (self->point[i + 1][NCK_AXIS_X] + self->point[i + 2][NCK_AXIS_X]);
     nck_track_words(&self->track, self->near, piece_out->s[1], x, &piece_out->words);
-    const int begins = self->clock.begins && i == 0;
     const int ends = (self->clock.ends || self->halts) && i + 1 == self->commit;
-    piece_out->rests = (uint8_t)(begins | (ends << 1));
+    piece_out->rests = (uint8_t)((self->clock.begins && i == 0) | (ends << 1));
 }

@@ -196,7 +196,7 @@ static void add_up(nck_timing_t *self, nck_timing_list_t *list) {
 static void take_mean(nck_timing_t *self, nck_timing_list_t *list) {
     const nck_place_t *const sum = &list->at[kept_of(list)];
     const double blur = nck_max(BLUR, BLUR_KNOTS * self->terms->tau);
-    const double wide = 0.5 * blur / self->make.step + 0.5; // without end where steps are of no time
+    const double wide = 0.5 * blur / self->make.step + 0.5; // steps may be of next to no time
     const int half = wide < self->make.count ? (int)wide : self->make.count;
     const int all = self->make.count + 1;
     const int to = slice_end(self, all);
