@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Join libnck into one pair, nck.h and nck.c, for projects that take sources and not libraries.
 
-python cmake/amalgamate.py --out DIR [--define NCK_WINDOW=128 …]
+python cmake/amalgamate.py --out DIR [--capacities OPTIMAL] [--define NCK_WINDOW=128 …]
 
 It stands beside the other generator of the build (make_binding.py). nck.h holds what the front
 doors include, nck.c the formulas and sources in the order of the flow. Names that a source file
@@ -60,6 +60,15 @@ def flow(path):
     name = path.relative_to(CSRC).as_posix()
     wing = next((n for n, part in enumerate(("/base/", "/prep/", "/tick/")) if part in name), 3)
     return wing, name
+
+
+def capacities_of(set_name):
+    """Return the capacities NAME=VALUE of a set of capacities.cmake."""
+    sets = (ROOT / "cmake" / "capacities.cmake").read_text(encoding="utf-8")
+    found = dict(re.findall(r"^set\(NCK_CAPACITY_(\w+)\s+([^)]*)\)", sets, re.M))
+    if set_name not in found:
+        raise SystemExit(f"no capacities {set_name}; there are: {', '.join(found)}")
+    return found[set_name].split()
 
 
 def capacities_filled_in(text, definitions):
@@ -177,8 +186,10 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--out", required=True, type=Path, help="folder for nck.h and nck.c")
     parser.add_argument("--define", action="append", default=[], help="capacity, NAME=VALUE")
+    parser.add_argument("--capacities", metavar="SET", help="of cmake/capacities.cmake")
     given = parser.parse_args()
-    face, code = amalgamate(given.define)
+    own = capacities_of(given.capacities) if given.capacities else []
+    face, code = amalgamate([*own, *given.define])
     given.out.mkdir(parents=True, exist_ok=True)
     (given.out / "nck.h").write_text(face, encoding="utf-8")
     (given.out / "nck.c").write_text(code, encoding="utf-8")

@@ -19,6 +19,7 @@ import pytest
 
 import cases
 import sampling
+import targets
 
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "tests" / "package" / "project"
@@ -285,18 +286,29 @@ def test_the_pair_compiles_for_a_microcontroller(pair, tool, tmp_path, core):
     call(*command, "-o", tmp_path / "nck.o")
 
 
-def test_the_pair_can_have_other_capacities(tool, tmp_path):
-    script = [sys.executable, ROOT / "cmake" / "amalgamate.py"]
-    wanted = ["--define=NCK_WINDOW=128", "--define=NCK_CELL_MAX=64", "--define=NCK_CORNER_SPAN=32"]
-    call(*script, "--out", tmp_path / "nck", *wanted)
+@pytest.mark.parametrize("set_name", ["OPTIMAL", None])
+def test_the_pair_can_have_other_capacities(tool, tmp_path, set_name):
+    script = [sys.executable, ROOT / "cmake" / "amalgamate.py", "--out", tmp_path / "nck"]
+    wanted = {"NCK_WINDOW": 128, "NCK_CELL_MAX": 64, "NCK_CORNER_SPAN": 32}
+    own = targets.capacities(set_name) if set_name else {}
+    chosen = [f"--capacities={set_name}"] if set_name else []
+    call(*script, *chosen, *(f"--define={name}={value}" for name, value in wanted.items()))
     for name, include, definitions in (
         ("pair", tmp_path, []),
-        ("tree", ROOT / "csrc", [word.replace("--define=", "-D") for word in wanted]),
+        ("tree", ROOT / "csrc", [f"-D{name}={value}" for name, value in {**own, **wanted}.items()]),
     ):
         options = [*STRICT, *definitions, f"-I{include}", "-c", PACKAGE / "sizes.c"]
         call("gcc", *options, "-o", tmp_path / f"{name}.o")
     found = [kernel_size(tool("nm"), tmp_path / f"{name}.o") for name in ("pair", "tree")]
     assert found[0] == found[1]
+
+
+def test_a_set_of_capacities_that_there_is_not_is_told(tmp_path):
+    script = [sys.executable, ROOT / "cmake" / "amalgamate.py", "--out", tmp_path / "nck"]
+    asked = subprocess.run([*script, "--capacities=TINY"], capture_output=True, text=True)
+    assert asked.returncode == 1 and not (tmp_path / "nck").exists()
+    sets = "SMALL, LINEAR, JERK, MILL, OPTIMAL, FULL, HOST"
+    assert asked.stderr.strip() == f"no capacities TINY; there are: {sets}"
 
 
 # docs/firmware.md
