@@ -99,7 +99,10 @@ class Moves:
         return every.min(axis=0), every.max(axis=0)
 
     def corners(self):
-        """Return (points, the block of each) that no move reaches beyond: -1 is the start's."""
+        """Return (points, the block of each) that no move reaches beyond: -1 is the start's.
+
+        Every arc has as many, whichever quadrants it crosses: its end stands for the others.
+        """
         corners = [self._begin[None], self.end]
         owners = [np.arange(-1, len(self.end))]
         arc = np.flatnonzero(self.is_arc)
@@ -108,9 +111,10 @@ class Moves:
             sweep = self._sweep[arc]
             ahead = np.mod(np.where(sweep > 0, angle, -angle), 2 * np.pi)
             inside = ahead < np.abs(sweep)
-            hit = arc[inside]
-            corners.append(self.point(hit, ahead[inside] / np.abs(sweep[inside])))
-            owners.append(hit)
+            points = self.end[arc]
+            points[inside] = self.point(arc[inside], ahead[inside] / np.abs(sweep[inside]))
+            corners.append(points)
+            owners.append(arc)
         return np.concatenate(corners), np.concatenate(owners)
 
     def length(self):

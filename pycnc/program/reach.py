@@ -26,7 +26,7 @@ class _Piece(NamedTuple):
     moves: Moves
     owners: np.ndarray  # the block of each place
     places: list
-    has_errors: bool  # on the first machine
+    has_errors: bool  # on the first machine; or the moves of another are others
 
 
 class Reach:
@@ -39,7 +39,8 @@ class Reach:
     cuts : numpy.ndarray
         Whether the first motion along an axis is no rapid: it begins where the program does.
     has_errors : bool
-        Whether the text is wrong somewhere, so that not all of its places are known.
+        Whether not all of its places are known: the text is wrong somewhere, or its moves are
+        others where the zero is another.
     """
 
     def __init__(self):
@@ -112,6 +113,7 @@ def free_reach_of(text, machines, zeros, off):
     """Return the `Free` reach of a program; of the machines the last begins `off` beside."""
     found = Free(off)
     for piece in _corners(text, machines, zeros):
+        found.hangs |= piece.has_errors
         found.begin(piece.rows, piece.moves)
         found.sort(piece.places[0], piece.places[-1], _is_work(piece.places[:-1]))
     return found
@@ -159,6 +161,7 @@ def _corners(text, machines, zeros):
             wrong.append(bool((findings["code"] < 0).any()))
             before[k] = _last_move(rows)
         if len({len(points) for points in places}) > 1:  # where they part nothing is known
+            yield _Piece(rows[:0], moves, owners[:0], [points[:0] for points in places], True)
             return
         yield _Piece(rows, moves, owners[new], places, wrong[0])
 

@@ -116,6 +116,35 @@ def test_a_program_that_is_too_large_is_told_so_once(number, draw_seed):
     assert f"does not fit, {letter} has {room}" in wrong[0].message
 
 
+def _rounds(pen):
+    """Return a program of circles, quarters and roundings, in inches or not."""
+    unit, digits = pen.choice([(25.4, 4), (1, 3)])
+    rows = ["G20" if unit != 1 else "G21", "G90 G17 G94 G0 X0 Y0", "G1 F20."]
+    for _ in range(pen.randrange(3, 9)):
+        far, wide, radius = (
+            f"{pen.uniform(low, high) / unit:.{digits}f}" for low, high in ((2, 60), (2, 60), (1, 5))
+        )
+        rows += pen.choice([
+            [f"G1 X{far} Y{wide}"],
+            [f"G3 I{radius}"],
+            [f"G91 G2 X{radius} Y{radius} R{radius}", "G90"],
+            ["G0 X0 Y0", f"G1 X{far} ,R{0.5 / unit:.{digits}f}", f"Y{wide}"],
+        ])  # fmt: skip
+    return "\n".join(rows)
+
+
+@pytest.mark.sample(40)
+@pytest.mark.parametrize("number", range(1000))
+def test_a_place_of_the_machine_changes_nothing_of_what_round_work_needs(number, draw_seed):
+    text = _rounds(random.Random(draw_seed + number))
+    machine, needs = Machine.load("haas_vf2"), []
+    for last in ("M30", "G53 G0 Z0. M30"):
+        (found,) = [each for each in load(f"{text}\n{last}\n", machine).diagnostics
+                    if each.id == "work-zero"]  # fmt: skip
+        needs.append(found.message)
+    assert needs[0] == needs[1] and "needs 0 × 0" not in needs[0]
+
+
 def test_the_zero_can_be_told():
     machine, ends = _router(random.Random(5))
     text = "G21 G90\nG1 X10 Y5 Z2 F600\nG55 X10\nM2\n"
