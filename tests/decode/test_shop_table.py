@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from pycnc import stages
-from pycnc.kernel.bind import note_id, status_id
+from pycnc.kernel.bind import diagnostic_id, status_id
 from pycnc.machine import Machine
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "shops.md"
@@ -45,7 +45,7 @@ def test_a_feature_is_read_or_refused_as_the_page_says(chapter, feature, lines, 
     text = f"{HEADS[chapter]}{lines.replace(' ⏎ ', chr(10))}\nM30\n"
     blocks, found = stages.decode(text.encode(), Machine.load(name, set=changes))
     errors = [status_id(int(each["code"])) for each in found if each["code"] < 0]
-    notes = [note_id(int(each["code"])) for each in found if each["code"] > 0]
+    notes = [diagnostic_id(int(each["code"])) for each in found if each["code"] > 0]
     ids = re.findall(r"`(.+?)`", here)
     assert errors[:1] == (ids if not here.startswith("read") else []), feature
     assert notes[:1] == ids or errors, feature

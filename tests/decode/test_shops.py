@@ -8,7 +8,7 @@ import pytest
 
 import pycnc
 from pycnc import stages
-from pycnc.kernel.bind import lib, note_id, status_id
+from pycnc.kernel.bind import diagnostic_id, lib, status_id
 from pycnc.machine import Machine
 
 FREE = [f"axis.{axis}.{end}_mm=free" for axis in "xyz" for end in ("min", "max")]
@@ -26,7 +26,7 @@ def decode(text, machine):
     blocks, findings = stages.decode(text.encode(), machine)
     errors, notes = findings[findings["code"] < 0], findings[findings["code"] > 0]
     return (blocks, [(status_id(int(each["code"])), int(each["line"])) for each in errors],
-            [note_id(int(each["code"])) for each in notes])  # fmt: skip
+            [diagnostic_id(int(each["code"])) for each in notes])  # fmt: skip
 
 
 def told(text, machine):
