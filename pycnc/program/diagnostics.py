@@ -16,7 +16,7 @@ SHOWN_PER_ID = 20  # findings of one id that are told in full; the rest is count
 _LINES_NAMED = 5  # of those that say the same
 _EXCERPT = 100  # characters of a source line that are shown around the column
 _NUMBER = 40  # characters of a number that are shown
-_DIALECTS = {1: "Heidenhain Klartext", 2: "Sinumerik", 3: "Okuma"}
+_DIALECTS = {1: "Heidenhain Klartext", 2: "Sinumerik", 3: "Okuma", 4: "ShopBot"}
 _FEED_UNITS = {"linuxcnc": "before it"}  # whose units F has beside G20 or G21; else of its line
 
 _TONGUES = (

@@ -88,6 +88,10 @@ WORDING = {
         "$ names a spindle that there is not: the kernel has one, $0",
         "leave $ out, or say $0 (and M5 $-1 for all)",
     ),
+    "number-range:*": (
+        "by its checksum *{value} the line has a mistake: it comes to *{limit}",
+        "leave * out where the line was changed on purpose",
+    ),
     "number-range:F0": (
         "F0 is no speed that Klipper takes: it ends the print", "say a feed, or leave F out"
     ),

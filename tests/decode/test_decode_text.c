@@ -214,6 +214,10 @@ static void a_foreign_language_gets_one_sentence(check_t *check) {
                 {"N70 MCALL\n", NCK_HINT_SINUMERIK},
                 {"MSG(\"FACE\")\n", NCK_HINT_SINUMERIK},
                 {";$PATH=/_N_WKS\nN10 DEF REAL A=1\nG0 X=A\n", NCK_HINT_SINUMERIK},
+                {"'SHOPBOT ROUTER FILE IN MM\nSA\n", NCK_HINT_SHOPBOT},
+                {"MS,50,20\nJZ,20\n", NCK_HINT_SHOPBOT},
+                {"m3 ,1,2,-3\n", NCK_HINT_SHOPBOT},
+                {"&tool = 1\n", NCK_HINT_SHOPBOT},
                 {"$PART.MIN%\nG15 H1\nCALL O1\n", NCK_HINT_OKUMA}};
     case_begin(&self);
     for (unsigned k = 0; k < sizeof rows / sizeof rows[0]; k++) {
@@ -225,6 +229,7 @@ static void a_foreign_language_gets_one_sentence(check_t *check) {
     }
     check_error(check, &self, "(BEGIN PGM)\n; DEF REAL X\nG0 X1\nM2\n", NCK_OK, 0, 0);
     check_error(check, &self, "G0 X1\n$H\nM2\n", NCK_E_CHARACTER, 2, 1);
+    check_error(check, &self, "X1,2\nM2\n", NCK_E_CHARACTER, 1, 3);
 }
 
 static void findings_that_nobody_takes_are_counted(check_t *check) {

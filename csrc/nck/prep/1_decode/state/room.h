@@ -37,7 +37,8 @@ enum {
 typedef enum nck_dialect_hint {
     NCK_HINT_HEIDENHAIN = 1, // Klartext: BEGIN PGM
     NCK_HINT_SINUMERIK = 2,  // %_N_…, DEF REAL …, CYCLE81(…
-    NCK_HINT_OKUMA = 3       // $NAME.MIN%
+    NCK_HINT_OKUMA = 3,      // $NAME.MIN%
+    NCK_HINT_SHOPBOT = 4     // 'SHOPBOT …, MS,50,20
 } nck_dialect_hint_t;
 
 // How far the line in hand is.

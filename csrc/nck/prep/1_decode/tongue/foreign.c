@@ -3,11 +3,14 @@
 // over it.
 #include "nck/prep/1_decode/tongue/tongue.h"
 
+static char upper(char c) {
+    return c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c;
+}
+
 // One past the word if the text begins with it, in upper or lower case; else a null pointer.
 static const char *after(const char *at, const char *word) {
     while (*word != '\0') {
-        const char c = *at >= 'a' && *at <= 'z' ? (char)(*at - 'a' + 'A') : *at;
-        if (c != *word) return (const char *)0;
+        if (upper(*at) != *word) return (const char *)0;
         at++;
         word++;
     }
@@ -28,6 +31,19 @@ static int contains(const char *at, const char *word) {
     return 0;
 }
 
+static int is_letter(char c) {
+    return c >= 'A' && c <= 'Z';
+}
+
+// A remark behind ', a name behind &, or a command of two characters, such as MX,20 or J2,0,0.
+static int is_shopbot(const char *at) {
+    if (*at == '\'' || (*at == '&' && is_letter(upper(at[1])))) return 1;
+    const char first = upper(*at);
+    if (!is_letter(first)) return 0;
+    const int moves = (first == 'M' || first == 'J') && at[1] >= '2' && at[1] <= '5';
+    return (is_letter(upper(at[1])) || moves) && *nck_skip_blanks(at + 2) == ',';
+}
+
 int nck_decode_foreign(const char *line) {
     static const char *const sinumerik[] = {
         "%_N_", "DEF REAL ", "DEF INT ", "DEF BOOL ", "DEF STRING", "DEF CHAR ", "DEF FRAME ",
@@ -38,6 +54,7 @@ int nck_decode_foreign(const char *line) {
     if (*at == '$' && (contains(at, ".MIN") || contains(at, ".SSB") || contains(at, ".LIB"))) {
         return NCK_HINT_OKUMA;
     }
+    if (is_shopbot(at)) return NCK_HINT_SHOPBOT;
     if (*at == 'N' || *at == 'n') at++;
     while (*at >= '0' && *at <= '9') at++;
     at = nck_skip_blanks(at);

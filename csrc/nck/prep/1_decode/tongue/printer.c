@@ -25,8 +25,8 @@ typedef struct printer_code {
 } printer_code_t;
 
 // Marlin 2.1, and what PrusaSlicer writes for its printers (M73 M86 M142 M601 M862 …) and for
-// RepRapFirmware (M116 M557 M566 M568 M572). All of them move nothing, but M600, M601, M125 and
-// M25, which wait for a person.
+// RepRapFirmware (M116 M374 M375 M376 M557 M566 M568 M572). All of them move nothing, but M600,
+// M601, M125 and M25, which wait for a person.
 static const printer_code_t codes[] = {
     {82, PLAIN}, {83, PLAIN}, {104, VALUE}, {109, VALUE | WAITS}, {106, VALUE | FULL}, {107, PLAIN},
     {140, VALUE}, {190, VALUE | WAITS}, {141, VALUE}, {191, VALUE | WAITS}, {117, TEXT},
@@ -42,14 +42,14 @@ static const printer_code_t codes[] = {
     {226, TEXT | WAITS}, {240, TEXT}, {250, TEXT}, {255, TEXT}, {256, TEXT}, {260, TEXT},
     {261, TEXT}, {280, TEXT}, {281, TEXT}, {282, TEXT}, {290, TEXT}, {291, TEXT}, {292, TEXT},
     {300, TEXT}, {301, TEXT}, {302, TEXT}, {303, TEXT}, {304, TEXT}, {305, TEXT}, {306, TEXT},
-    {309, TEXT}, {350, TEXT}, {355, TEXT}, {401, TEXT}, {402, TEXT}, {404, TEXT}, {405, TEXT},
-    {406, TEXT}, {407, TEXT}, {410, TEXT}, {412, TEXT}, {413, TEXT}, {420, TEXT}, {421, TEXT},
-    {425, TEXT}, {430, TEXT}, {486, TEXT}, {500, TEXT}, {501, TEXT}, {502, TEXT}, {503, TEXT},
-    {504, TEXT}, {555, TEXT}, {557, TEXT}, {566, LIMITS}, {568, TEXT}, {569, TEXT}, {572, TEXT},
-    {575, TEXT}, {591, TEXT}, {592, TEXT}, {593, TEXT}, {600, TEXT | WAITS}, {601, TEXT | WAITS},
-    {602, TEXT}, {603, TEXT}, {851, TEXT}, {CHECKS, TEXT}, {906, TEXT}, {907, TEXT}, {908, TEXT},
-    {910, TEXT}, {911, TEXT}, {912, TEXT}, {913, TEXT}, {914, TEXT}, {915, TEXT}, {919, TEXT},
-    {116, TEXT | WAITS}, {561, TEXT}, {928, TEXT}
+    {309, TEXT}, {350, TEXT}, {355, TEXT}, {374, TEXT}, {375, TEXT}, {376, TEXT}, {401, TEXT},
+    {402, TEXT}, {404, TEXT}, {405, TEXT}, {406, TEXT}, {407, TEXT}, {410, TEXT}, {412, TEXT},
+    {413, TEXT}, {420, TEXT}, {421, TEXT}, {425, TEXT}, {430, TEXT}, {486, TEXT}, {500, TEXT},
+    {501, TEXT}, {502, TEXT}, {503, TEXT}, {504, TEXT}, {555, TEXT}, {557, TEXT}, {566, LIMITS},
+    {568, TEXT}, {569, TEXT}, {572, TEXT}, {575, TEXT}, {591, TEXT}, {592, TEXT}, {593, TEXT},
+    {600, TEXT | WAITS}, {601, TEXT | WAITS}, {602, TEXT}, {603, TEXT}, {851, TEXT}, {CHECKS, TEXT},
+    {906, TEXT}, {907, TEXT}, {908, TEXT}, {910, TEXT}, {911, TEXT}, {912, TEXT}, {913, TEXT},
+    {914, TEXT}, {915, TEXT}, {919, TEXT}, {116, TEXT | WAITS}, {561, TEXT}, {928, TEXT}
 };
 
 // What a code of G is that moves something on a printer and that no text tells: a retraction of the
