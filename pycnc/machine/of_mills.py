@@ -141,7 +141,8 @@ _STARTS = {  # codes of a start-up code → what a machine file says for it
     "G8": ("diameter", False), "G17": ("plane", 17), "G18": ("plane", 18), "G19": ("plane", 19),
     "G90.1": ("arc_centre", "absolute"), "G91.1": ("arc_centre", "incremental"),
 }  # fmt: skip
-_STARTS_NOWHERE = re.compile(r"G9[1235]")  # what it has no key for
+_STARTS_NOWHERE = re.compile(r"G(9[1235]|61\.1|10|96)")  # what it has no key for
+_START_WORD = re.compile(r"([A-Z])(\d+\.?\d*|\.\d+)")
 _SYSTEMS = re.compile(r"G5[5-9](\.[123])?")
 
 
@@ -149,14 +150,14 @@ def _startup(source, unit):
     """What is in force before a program says anything else."""
     code = source.word(("rs274ngc", "rs274ngc_startup_code"))
     bare = re.sub(r"\([^)]*\)|;.*|\s", "", code or "").upper()
-    words = [(letter, Decimal(number)) for letter, number in re.findall(r"([A-Z])(\d+\.?\d*|\.\d+)",
-                                                                        bare)]  # fmt: skip
+    words = [(letter, Decimal(number)) for letter, number in _START_WORD.findall(bare)]
     codes = [f"{letter}{number.normalize():f}" for letter, number in words]
     told = f"start-up code {code}"
     for name, (key, value) in _STARTS.items():
         if name in codes:
             source.draft.put(f"dialect.{key}", value, told)
-    for name in filter(_STARTS_NOWHERE.fullmatch, codes):
+    odd = [bare] if _START_WORD.sub("", bare) else []  # a call, an expression, a sign
+    for name in [*odd, *filter(_STARTS_NOWHERE.fullmatch, codes)]:
         source.draft.problems.append(
             ("RS274NGC_STARTUP_CODE", f"{name}: a machine file cannot say it; let the programs do")
         )

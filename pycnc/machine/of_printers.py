@@ -127,11 +127,14 @@ def _free(source):
     source.draft.left.append("travel: anchors do not say it; taken as free")
 
 
+_SHARED = "motors share axes"
+_LIMITED = "its limits of X and Y (max_x_accel …) are left out of Klipper's times"
 _EDGE = "Klipper is slower near the edge, which is left out"
 _TRAVELS = {  # kinematics → (its travel, or one of each stepper; what is told)
     "cartesian": (None, ""),
-    **dict.fromkeys(("corexy", "corexz", "hybrid_corexy", "hybrid_corexz", "limited_cartesian",
-                     "limited_corexy", "limited_corexz"), (None, "motors share axes")),
+    **dict.fromkeys(("corexy", "corexz", "hybrid_corexy", "hybrid_corexz"), (None, _SHARED)),
+    "limited_cartesian": (None, _LIMITED),
+    **dict.fromkeys(("limited_corexy", "limited_corexz"), (None, f"{_SHARED}; {_LIMITED}")),
     "generic_cartesian": (_carriages, "carriages as they are named"),
     "delta": (_delta, f"three towers; {_EDGE}"),
     "rotary_delta": (_height, f"three arms; {_EDGE}"),

@@ -94,10 +94,17 @@ def of_ini(code, unit="mm", axes="XYZ", folder=None):
     return Machine.from_text(imported(text, "mill.ini", folder)[1])
 
 
-@pytest.mark.parametrize("code", ["G91", "G92", "G93", "G17 G95"])
-def test_a_start_up_code_without_a_key_is_refused(code):
-    with pytest.raises(MachineFileError, match=f"{code.split()[-1]}: a machine file cannot say it"):
-        of_ini(code)
+@pytest.mark.sample(20)
+@pytest.mark.parametrize("number", range(200))
+def test_a_start_up_code_that_a_machine_file_cannot_say_is_refused(number, draw_seed):
+    """A call may set what it likes, and an expression's number is not known."""
+    pen = random.Random(draw_seed + number)
+    odd = pen.choice(["G91", "G92", "G93", "G95", "G61.1", "G10 L2 P1 X0", "G92 X-3", "o<go> call",
+                      "G64 P[0.5/10]", "G64 P#5", "F[2*3]"])  # fmt: skip
+    words = pen.sample(["G17", "G21", "g 40", "G80", "(G64)", "T1", "M5"], pen.randrange(4))
+    words.insert(pen.randrange(len(words) + 1), odd)
+    with pytest.raises(MachineFileError, match="RS274NGC_STARTUP_CODE: .*a machine file cannot"):
+        of_ini(" ".join(words))
 
 
 @pytest.mark.parametrize("code", ["G55", "G59.1", "G20 G59"])
