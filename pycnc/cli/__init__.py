@@ -212,8 +212,8 @@ def plot(
         "--output", "-o", metavar="PICTURE",
         help="Where to: .png, .svg or .pdf; else a .png next to the program.")] = None,
     machine: MachineName = DEFAULT, dialect: DialectName = None, slope: SlopeName = None,
-    set: Set = None, tools: Tools = None, zero: Zero = None, json_: Json = False,
-    quiet: Quiet = False,
+    set: Set = None, tools: Tools = None, programs: Programs = None, zero: Zero = None,
+    json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
     """Draw the path, coloured by speed, and its speed over time.
 
@@ -223,7 +223,9 @@ def plot(
 
     output = next_to(file, ".png") if output is None else output
     need("matplotlib.figure")
-    mill = machine_of(machine, set, tools, dialect, slope=slope, zero=zero, quiet=quiet)
+    mill = machine_of(
+        machine, set, tools, dialect, slope=slope, programs=programs, zero=zero, quiet=quiet
+    )
     program, facts, code = look_at(file, mill, quiet, json_)
     if program is None:
         return give_up(facts, code, json_)

@@ -8,7 +8,17 @@ from typing import Annotated
 import typer
 
 from pycnc.cli.door import app, machine_of, verb
-from pycnc.cli.options import DialectName, Json, MachineName, Quiet, Set, SlopeName, Tools
+from pycnc.cli.options import (
+    DialectName,
+    Json,
+    MachineName,
+    Programs,
+    Quiet,
+    Set,
+    SlopeName,
+    Tools,
+    Zero,
+)
 from pycnc.cli.words import GOOD, OUTSIDE, WRONG, fail, look_at, progress
 from pycnc.names import DEFAULT
 
@@ -33,6 +43,7 @@ def compare(
     set_b: Annotated[list[str] | None, typer.Option(
         metavar="KEY=VALUE", help="Change a setting of B's machine, besides --set.")] = None,
     slope: SlopeName = None, dialect: DialectName = None, tools: Tools = None,
+    programs: Programs = None, zero: Zero = None,
     tolerance: Annotated[float | None, typer.Option(
         min=0, metavar="MM", help="Exit 3 if B leaves A's path by more.")] = None,
     tolerance_s: Annotated[float | None, typer.Option(
@@ -46,9 +57,10 @@ def compare(
     from pycnc.report import compare as comparing
 
     columns = comparing.columns_of(map_) if map_ else None
-    first = machine_of(machine, set, tools, dialect, slope=slope, quiet=quiet)
+    how = {"slope": slope, "programs": programs, "zero": zero, "quiet": quiet}
+    first = machine_of(machine, set, tools, dialect, **how)
     changes = [*(set or ()), *(set_b or ())]
-    second = machine_of(machine_b or machine, changes, tools, dialect, slope=slope, quiet=quiet)
+    second = machine_of(machine_b or machine, changes, tools, dialect, **how)
     sides = []
     for file, mill, name in ((a, first, "A"), (b, second, "B")):
         side, code = _side(file, mill, columns, quiet, name)

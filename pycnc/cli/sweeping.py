@@ -15,10 +15,12 @@ from pycnc.cli.options import (
     Jobs,
     Json,
     MachineName,
+    Programs,
     Quiet,
     SlopeName,
     Table,
     Tools,
+    Zero,
 )
 from pycnc.cli.words import GOOD, WRONG, Refused, fail, progress, read, writing
 from pycnc.names import DEFAULT
@@ -42,7 +44,8 @@ _Cluster = Annotated[
 @verb(app, "sweep part.ngc --set path.j_max_mm_s3=1e4..1e6/9")
 def sweep(
     *, files: Files, set: _Grid, output: Table = None, machine: MachineName = DEFAULT,
-    dialect: DialectName = None, slope: SlopeName = None, tools: Tools = None, jobs: Jobs = 1,
+    dialect: DialectName = None, slope: SlopeName = None, tools: Tools = None,
+    programs: Programs = None, zero: Zero = None, jobs: Jobs = 1,
     cluster: _Cluster = None, json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
     """Tell how long programs take with each setting of a grid.
@@ -55,7 +58,9 @@ def sweep(
         raise Refused(f"{output}: error[format]: a table is written as .csv")
     axes = planning.grid(set)
     planning.tasks_of(files, axes)  # counted before anything is read
-    mill = machine_of(machine, None, tools, dialect, slope=slope, quiet=quiet)
+    mill = machine_of(
+        machine, None, tools, dialect, slope=slope, programs=programs, zero=zero, quiet=quiet
+    )
     if not quiet:
         from pycnc.machine import effect
 

@@ -190,7 +190,7 @@ def _run_at(machine, file, override, as_json, quiet):
 def why(
     *, file: File, what_if: WhatIf = None, output: Table = None, machine: MachineName = DEFAULT,
     dialect: DialectName = None, slope: SlopeName = None, set: Set = None, tools: Tools = None,
-    zero: Zero = None, json_: Json = False, quiet: Quiet = False,
+    programs: Programs = None, zero: Zero = None, json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
     """Tell what costs time, on which lines, and what would help.
 
@@ -204,7 +204,9 @@ def why(
 
     if output is not None and not output.lower().endswith(".csv"):
         raise Refused(f"{output}: error[format]: a table is written as .csv")
-    mill = machine_of(machine, set, tools, dialect, slope=slope, zero=zero, quiet=quiet)
+    mill = machine_of(
+        machine, set, tools, dialect, slope=slope, programs=programs, zero=zero, quiet=quiet
+    )
     changes = [change for change in what_if or () if change != CURES]
     tell_idle(mill, changes, quiet)
     with pipeline.beside(True, mill) as beside:
@@ -231,14 +233,16 @@ def why(
 def report(
     *, file: File, output: Page = None, what_if: WhatIf = None, machine: MachineName = DEFAULT,
     dialect: DialectName = None, slope: SlopeName = None, set: Set = None, tools: Tools = None,
-    zero: Zero = None, json_: Json = False, quiet: Quiet = False,
+    programs: Programs = None, zero: Zero = None, json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
     """Write one page for a browser: path, curves, program, lost time.
 
     The page needs no network, and nothing beside it.
     """
     output = _page_of(file, output)
-    mill = machine_of(machine, set, tools, dialect, slope=slope, zero=zero, quiet=quiet)
+    mill = machine_of(
+        machine, set, tools, dialect, slope=slope, programs=programs, zero=zero, quiet=quiet
+    )
     tell_idle(mill, [change for change in what_if or () if change != CURES], quiet)
 
     def lines(_found):
@@ -251,7 +255,7 @@ def report(
 def look(
     *, file: File, output: Page = None, machine: MachineName = DEFAULT,
     dialect: DialectName = None, slope: SlopeName = None, set: Set = None, tools: Tools = None,
-    zero: Zero = None, json_: Json = False, quiet: Quiet = False,
+    programs: Programs = None, zero: Zero = None, json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
     """Check a program, tell its time and why, and write its page.
 
@@ -260,7 +264,9 @@ def look(
     from pycnc.report import reasons
 
     output = _page_of(file, output)
-    mill = machine_of(machine, set, tools, dialect, slope=slope, zero=zero, quiet=quiet)
+    mill = machine_of(
+        machine, set, tools, dialect, slope=slope, programs=programs, zero=zero, quiet=quiet
+    )
 
     def lines(found):
         return [_time_line(found.plan, 100), *reasons.of_total(found), output]

@@ -3,6 +3,7 @@
 
 import random
 
+import command_line
 import numpy as np
 import pytest
 
@@ -88,3 +89,21 @@ def test_a_folder_that_is_none_and_a_name_in_two_files_are_errors(tmp_path):
         (tmp_path / name).write_text("O6000\nM99\n")
     found = pycnc.load(text, mill(tmp_path, "fanuc")).diagnostics
     assert "6000 is in two files" in found.shown[0].message
+
+
+VERBS = ("check", "time", "why", "run", "report", "look", "plot", "sweep", "compare")
+
+
+@pytest.mark.parametrize("verb", VERBS)
+def test_every_verb_that_reads_a_program_takes_what_its_remedies_say(verb, tmp_path):
+    """--programs, and --zero."""
+    (tmp_path / "O9000.nc").write_text("G91 G1 X5. F600.\nG90\nM99\n")
+    part = tmp_path / "part.nc"
+    part.write_text("O1\nG21 G90 G0 X1.\nM98 P9000\nM30\n")
+    suffix = {"report": ".html", "look": ".html", "plot": ".png"}.get(verb)
+    more = ["-o", tmp_path / f"x{suffix}"] if suffix else []
+    more += {"sweep": ["--set", "axis.x.v_max_mm_s=50,60"], "compare": [part]}.get(verb, [])
+    told = command_line.pycnc(verb, part, *more, "-m", "haas_vf2", "--programs", tmp_path,
+                              "--zero=-300,-200,-100")  # fmt: skip
+    assert told.code == 0, told.err
+    assert "work-zero" not in told.out + told.err and "label-missing" not in told.err
