@@ -11,12 +11,13 @@ _MACROS = re.compile(
     rb"(EXCLUDE_OBJECT|PRINT_START|START_PRINT|BED_MESH|SET_[A-Z]{2})\w*( |$)", re.IGNORECASE
 )
 _PRINTS = re.compile(
-    rb"(N\d+ *)?(M(104|109|140|190)\b(?! *P)|G1 .*\bE-?[\d.])|" + _MACROS.pattern, re.IGNORECASE
+    rb"(N\d+ *)?(M(104|109|140|190)\b(?! *P)(?=.*[SR] *\d)|G1 .*\bE-?[\d.])|" + _MACROS.pattern,
+    re.IGNORECASE,
 )  # fmt: skip
 _TURNS = re.compile(rb"G96\b|G50 *S|\bT\d{4}\b|G7[0-3]\b.*\b[PQ] *\d+|\b[UW]-?[\d.]", re.IGNORECASE)
 _FANUCS_TURNS = re.compile(rb"G50 *S|\bT\d{4}\b|\b[UW]-?[\d.]", re.IGNORECASE)
 _CROSS = re.compile(rb"\bY *-?[\d.]", re.IGNORECASE)
-_ROTARY = re.compile(rb"(?<![A-Z])([ABC]) *-?[\d.]", re.IGNORECASE)
+_ROTARY = re.compile(rb"(?<![A-Z,])([ABC]) *-?[\d.]", re.IGNORECASE)
 
 _SPINDLE = re.compile(rb"(?<![A-Z])M0?[34](?!\d)", re.IGNORECASE)
 _SPEED = re.compile(rb"(?<![A-Z])S *(?!0*\.?0*(?:[^\d.]|$))[\d.]+", re.IGNORECASE)

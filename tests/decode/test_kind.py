@@ -148,3 +148,15 @@ def test_a_mills_program_of_fanuc_is_told_with_the_command_that_reads_it(seed):
         "looks-like"] == 0  # fmt: skip
     assert pycnc.load(f"{text}M30\n%\n", Machine.load("mill4", dialect="fanuc")).diagnostics.counts[
         "looks-like"] == 0  # fmt: skip
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_words_of_a_mill_that_a_print_has_too_make_none(seed):
+    """M codes of a machine's own without a heat, and chamfers that are no axis C."""
+    rng = random.Random(seed)
+    own = rng.choice(["M104", "M109", "N7 M140", "M190", "M104 (ARM)", "M109 P501 (WAIT)"])
+    lines = ["O1", "G21 G90 G54", "T1 M6", "G43 H1 Z50.", own, "G1 X10. ,C1. F900.", "Y10. ,C1.",
+             "X0", rng.choice(["A0.", "M999", "G1 X2. J4."]), "M30"]  # fmt: skip
+    found = pycnc.load("\n".join(lines) + "\n", Machine.load("haas_vf2")).diagnostics
+    assert found.errors
+    assert not any("printer" in each.help or "mill5" in each.help for each in found)
