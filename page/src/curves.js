@@ -21,26 +21,24 @@ const SYNC = "pycnc";
 const DIGITS = 9; // behind the point, at most
 const SHARE = "% of limit";
 
-// Places, and rows of values there, of the stretches first … last: as they are, or of each pixel
-// the least and the largest. Behind them their mean over time, and the programmed feed.
-function sample(model, xs, [first, last], width, { value, feed }) {
+// Places, and rows of values there, of the stretches first … last: as they are, or of those that
+// lie within one pixel the least and the largest. Behind them their mean over time, and the
+// programmed feed; a rest has none.
+function sample(model, xs, [first, last], pixel, { value, feed }) {
   const out = [[], [], [], [], []];
-  const put = (x, least, most, mean, wanted) => {
+  const put = (x, least, most, mean, i) => {
+    const wanted = model.rests(i) ? null : feed(i);
     [x, least, most, mean, wanted].forEach((one, k) => out[k].push(one));
   };
-  if (last - first <= 2 * width) {
-    for (let i = first; i <= last; i++) {
+  for (let from = first, to = first; from <= last; from = ++to) {
+    while (to < last && xs[to + 1] - xs[from - 1] < pixel) to++;
+    if (from === to) {
       for (const end of [0, 1]) {
-        const now = value(i, end);
-        put(xs[i - 1 + end], now, now, now, feed(i));
+        const now = value(from, end);
+        put(xs[from - 1 + end], now, now, now, from);
       }
+      continue;
     }
-    return out;
-  }
-  const step = (last - first + 1) / width;
-  for (let bin = 0; bin < width; bin++) {
-    const from = Math.floor(first + bin * step);
-    const to = Math.min(last, Math.floor(first + (bin + 1) * step) - 1);
     let [least, most, sum] = [Infinity, -Infinity, 0];
     for (let i = from; i <= to; i++) {
       const [begin, now] = [value(i, 0), value(i, 1)];
@@ -50,8 +48,8 @@ function sample(model, xs, [first, last], width, { value, feed }) {
     }
     const time = model.t[to] - model.t[from - 1];
     const mean = time > 0 ? sum / time : most;
-    put(xs[from - 1], least, most, mean, feed(from));
-    put(xs[to], least, most, mean, feed(to));
+    put(xs[from - 1], least, most, mean, from);
+    put(xs[to], least, most, mean, to);
   }
   return out;
 }
@@ -301,7 +299,9 @@ export function makeCurves(holder, facts, model, ask) {
     const ends = visible();
     for (const { plot, curve } of plots) {
       const width = Math.max(50, Math.round(plot.bbox.width / devicePixelRatio));
-      const data = curve.key === "v" ? sample(model, state.xs, ends, width, curve)
+      const isMany = ends[1] - ends[0] > 2 * width;
+      const pixel = isMany ? (state.range[1] - state.range[0]) / width : 0;
+      const data = curve.key === "v" ? sample(model, state.xs, ends, pixel, curve)
         : sampleFelt(bins, state.range, width, state.track[curve.key], full(curve.key));
       plot.setData(data, true);
     }

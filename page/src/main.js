@@ -84,7 +84,7 @@ function makeStage({ facts, model, text }) {
   const scene = makeScene(by("view"), facts, model);
   const part = makePart({ cutter: by("cutter"), view: by("view"), over: by("over") }, facts, model,
     scene);
-  const over = makeOver(by("over"), scene, model);
+  const over = makeOver(by("over"), scene, model, by("legend"));
   const placed = marksOf(facts).map(({ cause, place }, k) => ({
     i: pointOf(facts, model, cause, place), label: String(k + 1), colour: causeColour(cause),
   }));

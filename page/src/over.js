@@ -8,7 +8,11 @@ const AXES = [
   ["X", [1, 0, 0], "#ff6b6b"], ["Y", [0, 1, 0], "#69db7c"], ["Z", [0, 0, 1], "#74a9ff"],
 ];
 
-export function makeOver(canvas, scene, model) {
+const ROOM = 12; // about the middle of a mark's number [px]
+const BESIDE = [16, -16, 40, -40, 64, -64]; // columns where a number may stand, from its place [px]
+const [ABOVE, STEP] = [20, 23]; // where it stands first; rows that do not cover each other [px]
+
+export function makeOver(canvas, scene, model, legend) {
   const pen = canvas.getContext("2d");
   const state = { marks: [], now: null, ghost: null };
 
@@ -37,11 +41,27 @@ export function makeOver(canvas, scene, model) {
     pen.stroke();
   }
 
+  // The middle of a mark's number: the first place beside its point, above it or else below, that
+  // is in the picture and covers no other number and not the legend.
+  function beside([u, v], taken, [width, height]) {
+    const first = [u + BESIDE[0], v - ABOVE];
+    if (u < 0 || u > width || v < 0 || v > height) return first;
+    const { offsetLeft, offsetTop, offsetWidth, offsetHeight } = legend;
+    const isFree = ([x, y]) => x >= ROOM && x <= width - ROOM
+      && !(x > offsetLeft - ROOM && x < offsetLeft + offsetWidth + ROOM
+        && y > offsetTop - ROOM && y < offsetTop + offsetHeight + ROOM)
+      && !taken.some(([a, b]) => Math.abs(a - x) < 22 && Math.abs(b - y) < 22);
+    const rows = [];
+    for (let y = v - ABOVE; y >= ROOM; y -= STEP) rows.push(y);
+    for (let y = v + ABOVE; y <= height - ROOM; y += STEP) rows.push(y);
+    const places = BESIDE.flatMap((away) => rows.map((y) => [u + away, y]));
+    return places.find(isFree) ?? first;
+  }
+
   // Marks that would cover each other stand side by side, each with a line to its place.
-  function mark({ i, label, colour }, taken) {
+  function mark({ i, label, colour }, taken, size) {
     const at = scene.screenOf(i);
-    let [x, y] = [at[0] + 16, at[1] - 20];
-    while (taken.some(([u, v]) => Math.abs(u - x) < 22 && Math.abs(v - y) < 22)) y -= 23;
+    const [x, y] = beside(at, taken, size);
     taken.push([x, y]);
     pen.strokeStyle = colour;
     pen.lineWidth = 1.5;
@@ -113,7 +133,7 @@ export function makeOver(canvas, scene, model) {
     scale(width, height);
     axes(width);
     const taken = [];
-    for (const each of state.marks) mark(each, taken);
+    for (const each of state.marks) mark(each, taken, [width, height]);
     if (state.ghost) dot(placeOf(state.ghost), 5, "rgba(255,255,255,0.25)", "#ffffff");
     if (state.now) dot(placeOf(state.now), 6, "#ffffff", "#10161f");
   });

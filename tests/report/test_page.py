@@ -158,6 +158,61 @@ def test_the_curves_are_drawn_and_go_to_the_program_s_end(visit):
     assert ends == pytest.approx([facts["time_s"]] * 3, abs=1e-6)
 
 
+# Where the numbers of the marks are written, by number.
+NUMBERS = """(() => {
+    const pen = CanvasRenderingContext2D.prototype;
+    const own = pen.fillText;
+    window.numbers = {};
+    pen.fillText = function (text, x, y) {
+        if (this.canvas.id === "over" && /^[0-9]$/.test(text)) window.numbers[text] = [x, y];
+        own.call(this, text, x, y);
+    };
+})()"""
+FAR = "\n" * 25  # lines between two places of one cause
+ROUND = [f"{corner}\nG4 P0.1{FAR}" for corner in ("X{0}", "Y60", "X0", "Y0")]
+CORNERS = "G21 G90 G61\nG1 F3000 X0 Y0\n" + "".join(2 * ROUND) + "M2\n"
+
+
+@pytest.mark.parametrize("broad", [60, 150])  # mm: at the top; below the legend, too
+def test_every_mark_stands_in_the_picture_beside_the_legend(broad, browse, tmp_path):
+    file = write(tmp_path, CORNERS.format(broad))
+    with browse(file, *SOFTWARE_GL, before=NUMBERS) as visit:
+        visit.page.click("[data-name=Top]")
+        visit.settle()
+        numbers = visit.ask("Object.values(numbers)")
+        wide, high, top, right = visit.ask("""[report.scene].map(() => {
+            const [view, legend] = ["view", "legend"].map((id) => document.getElementById(id));
+            return [view.clientWidth, view.clientHeight, legend.offsetTop,
+                legend.offsetLeft + legend.offsetWidth];
+        })[0]""")
+    assert len(numbers) == 7
+    for x, y in numbers:
+        assert 10 <= x <= wide - 10 and 10 <= y <= high - 10
+        assert x > right or y < top
+        assert sum(abs(x - u) < 20 and abs(y - v) < 20 for u, v in numbers) == 1
+
+
+def test_a_rest_has_no_programmed_feed_and_no_slant_leads_across_it(browse, tmp_path):
+    wave = "\n".join(f"X{0.05 * k:.2f} Y{3 * math.sin(0.3 * k):.3f}" for k in range(1500))
+    text = f"G21 G90 G64 P0.01\nG1 F1200\n{wave}\nG4 P3\nX0 F600\nG4 P2\nF1500\n{wave}\nM2\n"
+    with browse(write(tmp_path, text), *SOFTWARE_GL) as visit:
+        times, *_, feeds = visit.ask("report.curves.plots[0].plot.data")
+        rests = visit.ask("""[...report.model.t.keys()].filter((i) => report.model.rests(i))
+            .map((i) => [report.model.t[i - 1], report.model.t[i]])""")
+        pixel = visit.ask("""(({ bbox, scales: { x } }) =>
+            (x.max - x.min) * devicePixelRatio / bbox.width)(report.curves.plots[0].plot)""")
+        many = visit.ask("report.model.n")
+    assert many > 2 * len(times) / 3, "it is drawn in pixels"
+    assert [end - begin > 1.9 for begin, end in rests].count(True) == 2
+    for begin, end in rests:
+        inside = [feed for t, feed in zip(times, feeds, strict=True) if begin < t < end]
+        assert set(inside) <= {None}
+    told = list(zip(times, feeds, strict=True))
+    for (t, feed), (later, next_feed) in zip(told, told[1:], strict=False):
+        if None not in (feed, next_feed) and feed != next_feed:
+            assert later - t < 1.01 * pixel
+
+
 # It finds
 
 
