@@ -140,6 +140,18 @@ class Ideal(Model):
     dwell_s: float = _is("dwells and waits")
 
 
+class SlowFeed(Model):
+    """A programmed feed far below the rest, which part of the ideal time goes to."""
+
+    feed_mm_min: float = _is("as it is programmed, of the tool along its path")
+    time_s: float = _is("at it")
+    over_s: float = _is("of that over the time at the mean feed of the rest")
+    length_mm: float = _is("cut at it")
+    moves: int = _is("cut at it")
+    line_first: int = _is("first source line")
+    line_last: int = _is("last source line")
+
+
 class Cure(Model):
     """A plan with one thing changed."""
 
@@ -164,6 +176,7 @@ class Why(Program):
     limit_time_s: dict[str, float] = _is("as `time` tells it")
     ideal_s: float = _is("ideal time: if only feeds, rapids and dwells held it back")
     ideal: Ideal = _is("what that is made of")
+    slow_feeds: list[SlowFeed] = _is("the dearest first")
     causes: list[Cause] = _is("the worst first")
     what_if: list[Cure] = _is("with `--what-if`, the best first; else empty")
 
@@ -217,4 +230,6 @@ class Compare(Model):
 MODELS = {
     "time": Time, "run": Run, "why": Why, "report": Report, "sweep": Sweep, "compare": Compare,
 }  # fmt: skip
-SHARED = (Program, Diagnostic, Part, Peak, Ideal, Cause, Place, Cure, LineDifference)
+SHARED = (
+    Program, Diagnostic, Part, Peak, Ideal, SlowFeed, Cause, Place, Cure, LineDifference,
+)  # fmt: skip

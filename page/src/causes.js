@@ -72,6 +72,11 @@ function partWords(facts, text) {
   return parts.length ? ` · shown: ${parts.join(", ")}` : "";
 }
 
+const feedWords = ({ feed_mm_min }) => `a feed of ${grouped(feed_mm_min)} mm/min`;
+
+const linesWords = ({ line_first, line_last }) => (line_first === line_last
+  ? `line ${grouped(line_first)}` : `lines ${grouped(line_first)}–${grouped(line_last)}`);
+
 export function drawHead(facts, text) {
   const set = (id, text) => { document.getElementById(id).textContent = text; };
   const name = facts.file.split(/[\\/]/).at(-1);
@@ -84,9 +89,11 @@ export function drawHead(facts, text) {
     ? `with ${duration(extra)} for tool changes and spindle starts` : "machining time");
   const lost = facts.time_s - facts.ideal_s;
   const worst = facts.causes[0];
+  const slow = facts.slow_feeds.map((feed) => `, ${duration(feed.time_s)} of it at ${
+    feedWords(feed)}`).join("");
   set("verdict", lost < LEAST_S || !worst
-    ? "Nothing holds it back but the programmed feeds, rapids and dwells."
-    : `ideal time ${duration(facts.ideal_s)} · `
+    ? `Nothing holds it back but the programmed feeds, rapids and dwells${slow}.`
+    : `ideal time ${duration(facts.ideal_s)}${slow} · `
       + `${duration(lost)} (${grouped((100 * lost) / facts.time_s)} %) lost, `
       + `most of it to ${worst.words} (${duration(worst.lost_s)})`);
   const parts = [["cut_s", "at feed"], ["rapid_s", "rapids"], ["dwell_s", "dwells"]];
@@ -110,16 +117,30 @@ function placeRow({ cause, place, number }, lineText, ask) {
     badge.style.background = causeColour(cause);
     badge.style.color = inkOn(causeColour(cause));
   }
-  const span = place.line_first === place.line_last
-    ? `line ${grouped(place.line_first)}`
-    : `lines ${grouped(place.line_first)}–${grouped(place.line_last)}`;
   const times = place.count > 1 ? ` · ${grouped(place.count)} ×` : "";
   const axis = place.axis ? ` · ${place.axis.toUpperCase()}` : "";
-  row.append(badge, element("span", "span", span + times + axis),
+  row.append(badge, element("span", "span", linesWords(place) + times + axis),
     element("span", "lost", duration(place.lost_s)),
     element("code", "", place.text || lineText(place.line_worst)));
   row.addEventListener("click", () => ask.place(cause, place));
   return row;
+}
+
+// Feeds far below the rest: nothing is lost at them, all of their time is ideal.
+function drawFeeds(box, facts, lineText, ask) {
+  if (!facts.slow_feeds.length) return;
+  box.append(element("h3", "", "Programmed slowly"));
+  for (const feed of facts.slow_feeds) {
+    const row = element("button", "place");
+    row.type = "button";
+    row.append(element("span", "badge none"),
+      element("span", "span", `${feedWords(feed)} · ${linesWords(feed)}`),
+      element("span", "lost", duration(feed.time_s)),
+      element("code", "", lineText(feed.line_first)));
+    row.addEventListener("click", () => ask.line(feed.line_first));
+    box.append(row);
+  }
+  box.append(element("h3", "", "Lost"));
 }
 
 // What a plan with each cure gains over this one; nothing if nobody asked.
@@ -148,6 +169,7 @@ export function drawCauses(box, facts, marks, lineText, ask) {
   const numbers = new Map(marks.map(({ place }, k) => [place, String(k + 1)]));
   const most = Math.max(...facts.causes.map((cause) => cause.lost_s), 1e-9);
   const told = facts.causes.filter((cause) => cause.lost_s >= LEAST_S);
+  drawFeeds(box, facts, lineText, ask);
   if (!told.length) box.append(element("p", "none", "Nothing: feeds and rapids are reached."));
   for (const cause of told.slice(0, SHOWN)) {
     const group = element("details", "cause");
@@ -171,8 +193,8 @@ export function drawCauses(box, facts, marks, lineText, ask) {
       group.append(placeRow({ cause, place, number: numbers.get(place) }, lineText, ask));
     }
     group.addEventListener("toggle", () => {
-      const open = box.querySelector("details[open]");
-      ask.cause(open ? told[[...box.children].indexOf(open)] : null);
+      const open = [...box.querySelectorAll("details")].findIndex((each) => each.open);
+      ask.cause(open >= 0 ? told[open] : null);
     });
     box.append(group);
   }

@@ -2,6 +2,7 @@
 """Why a program takes its time: what it loses to which cause, and what a cure would gain."""
 
 import csv
+import functools
 import io
 import math
 import re
@@ -13,7 +14,7 @@ from pycnc import errors, kernel
 from pycnc.files import Part
 from pycnc.machine import Machine, MachineFileError
 from pycnc.machine.schema import AXES, unit_of
-from pycnc.planning import control, measure
+from pycnc.planning import control, feeds, measure
 from pycnc.program import Program, shown
 
 TOLERANCE_MM = Decimal("0.01")  # of the cure "within 0.01 mm"
@@ -89,6 +90,11 @@ class Why(shown.Tables):
         names = measure.limit_names(self.program.machine)
         rows = [self._cause(row, names) for row in found["causes"]]
         self.causes = sorted(rows, key=lambda cause: -cause["lost_s"])
+
+    @functools.cached_property
+    def slow_feeds(self):
+        """Programmed feeds far below the rest that the ideal time goes to, see `feeds.slow`."""
+        return feeds.slow(self.program, self.time_s)
 
     def _cause(self, row, names):
         name = "ends" if row["ends"] else names[int(row["limit"])]
@@ -221,6 +227,7 @@ class Why(shown.Tables):
             **{name: facts[name] for name in names},
             "ideal_s": self.ideal_s,
             "ideal": self._ideal,
+            "slow_feeds": self.slow_feeds,
             "causes": self.causes,
             "what_if": self.cures,
         }

@@ -27,6 +27,8 @@ class Moves:
     blocks : numpy.ndarray
         Of dtype ``nck_block_t``.
     machine : Machine
+    begin : numpy.ndarray, optional
+        (axes,) where the first move begins [mm, deg]; without it where the machine is at the start.
 
     Attributes
     ----------
@@ -36,21 +38,18 @@ class Moves:
         (blocks,) bool.
     """
 
-    def __init__(self, blocks, machine):
-        start_nm = machine.record["start_nm"]
+    def __init__(self, blocks, machine, begin=None):
         position = blocks["target_nm"].astype(np.int64)
         position[:, :3] += blocks["tool_nm"]
         # A thread's pass is no path: it is in step with the spindle.
-        is_thread = blocks["kind"] == lib.NCK_BLOCK_THREAD
+        self._is_path = blocks["kind"] != lib.NCK_BLOCK_THREAD
         last = np.maximum.accumulate(np.where(is_move(blocks), np.arange(len(blocks)), -1))
-        end_nm = np.where((last >= 0)[:, None], position[last], start_nm)
         counts = counts_per_unit(machine.record["axis"]["rotary"])
-        self.end = end_nm / counts
-        self._begin = start_nm / counts
+        self._begin = machine.record["start_nm"] / counts if begin is None else begin
+        self.end = np.where((last >= 0)[:, None], position[last] / counts, self._begin)
         self.start = np.concatenate([[self._begin], self.end])[:-1]
         self.is_arc = blocks["kind"] == lib.NCK_BLOCK_ARC
         self._arcs(blocks)
-        self._length = np.where(is_thread, 0.0, self._lengths()).cumsum()
 
     def _arcs(self, blocks):
         """Prepare the arcs: centre in the machine, start angle, radius."""
@@ -119,11 +118,14 @@ class Moves:
 
     def length(self):
         """Return the length of all moves [mm of the path metric]."""
-        return float(self._length[-1]) if len(self._length) else 0.0
+        lengths = np.where(self._is_path, self.lengths(), 0.0).cumsum()
+        return float(lengths[-1]) if len(lengths) else 0.0
 
-    def _lengths(self):
+    def lengths(self, axes=slice(None)):
+        """Return the length of each move [mm of the path metric], of some axes alone if asked."""
         straight = self.end - self.start
         arc = np.flatnonzero(self.is_arc)
         straight[arc[:, None], self._axes[arc]] = 0
         turned = np.where(self.is_arc, self._radius * self._sweep, 0)
+        straight = straight[:, axes]
         return np.sqrt(np.einsum("ij,ij->i", straight, straight) + turned**2)

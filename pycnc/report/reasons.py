@@ -21,6 +21,7 @@ def short(found):
     """
     ideal, lost = (duration(each) for each in (found.ideal_s, found.time_s - found.ideal_s))
     yield f"What holds it back: ideal time {ideal} · lost {lost}"
+    yield from _slow_feeds(found)
     yield from _table_of(found, _SHORT, 1)
 
 
@@ -49,6 +50,7 @@ def lines(found):
 def of_total(found):
     """Yield the lines behind the whole time of a program."""
     yield f"  {_sums(found)}"
+    yield from _slow_feeds(found)
     yield from _table_of(found, _CAUSES_SHOWN)
     if found.cures:
         yield from _cures(found.cures)
@@ -60,6 +62,23 @@ def _sums(found):
              *times.told(found.plan.totals, times.EXTRAS),
              ("lost", duration(found.time_s - found.ideal_s))]  # fmt: skip
     return " · ".join(f"{word} {time}" for word, time in parts)
+
+
+def _slow_feeds(found):
+    """Yield what of the ideal time is at feeds far below the rest: nothing is lost there."""
+    for feed in found.slow_feeds:
+        many = "1 move" if feed["moves"] == 1 else f"{feed['moves']:,} moves"
+        yield (
+            f"  {duration(feed['time_s'])} of the ideal time at a feed of "
+            f"{feed['feed_mm_min']:.4g} mm/min: {feed['length_mm']:.3g} mm in {many} on "
+            f"{_lines(feed)}"
+        )
+
+
+def _lines(place):
+    """Return the lines of a place in words."""
+    first, last = place["line_first"], place["line_last"]
+    return f"line {first}" if first == last else f"lines {first}-{last}"
 
 
 def _rows(cause, most):

@@ -158,6 +158,23 @@ def test_the_curves_are_drawn_and_go_to_the_program_s_end(visit):
     assert ends == pytest.approx([facts["time_s"]] * 3, abs=1e-6)
 
 
+def test_a_slow_feed_stands_before_what_is_lost(browse, tmp_path):
+    slow = "G1 F80 Z-1\nF1200 X60\nY40\nG4 P0.5\nX0\nM2\n"
+    with browse(write(tmp_path, "G21 G90\n" + slow), *SOFTWARE_GL) as visit:
+        assert "0.750 s of it at a feed of 80 mm/min ·" in visit.text("#verdict")
+        assert visit.text("#causes .place >> nth=0").split("\n") == [
+            "a feed of 80 mm/min · line 2", "0.750 s", "G1 F80 Z-1",
+        ]  # fmt: skip
+        visit.page.click("#causes .place >> nth=0")
+        assert now(visit)[0] == 2
+        visit.ask("() => { report.ask.cause = (cause) => { window.chosen = cause?.words; }; }")
+        for k in range(visit.page.locator("#causes details").count()):
+            visit.page.click(f"#causes summary >> nth={k}")
+            visit.settle()
+            words = visit.text(f"#causes summary .words >> nth={k}")
+            assert visit.ask("chosen") == words
+
+
 # Where the numbers of the marks are written, by number.
 NUMBERS = """(() => {
     const pen = CanvasRenderingContext2D.prototype;

@@ -14,9 +14,10 @@ from command_line import pycnc
 import pycnc as package
 from pycnc import load, run, why
 from pycnc.machine import Machine
-from pycnc.planning import measure
+from pycnc.planning import feeds, measure
 from pycnc.planning import why as planning_why
 from pycnc.planning.plan import Plan
+from pycnc.program import Program
 from pycnc.report import summary
 
 EXACT = {"path.tolerance_mm": 0}
@@ -345,3 +346,66 @@ def test_bad_calls_have_one_clear_error(arguments, code, words):
     result = pycnc("why", *arguments, stdin=b"G21 G90\nG1 X10 F600\nM2\n")
     assert (result.code, words in result.err) == (code, True)
     assert pycnc("why", "-", stdin=b"G21 G90\nG1 Q1 F600\nM2\n").code == 1
+
+
+# What the ideal time goes to
+
+SLOW = "G21 G90 G17\nG1 F1200 X60\nY40\nX0\n{}\nG1 F1200 Y5\nX50\nM2\n"
+
+
+@pytest.mark.parametrize("slope", ["jerk", "linear", "optimal"])
+def test_a_slow_feed_of_a_few_lines_is_named(slope, tmp_path):
+    file = tmp_path / "part.ngc"
+    file.write_text(SLOW.format("Z-0.8 F80\nG2 X2 Y40 I1"))
+    told = pycnc("why", file, "--json", "--slope", slope)
+    (feed,) = json.loads(told.out)["slow_feeds"]
+    length = 0.8 + math.pi
+    assert feed["length_mm"] == pytest.approx(length, rel=1e-9)
+    assert (feed["feed_mm_min"], feed["time_s"]) == pytest.approx((80, length / 80 * 60))
+    assert feed["over_s"] == pytest.approx(length * 60 * (1 / 80 - 1 / 1200), rel=1e-9)
+    assert (feed["moves"], feed["line_first"], feed["line_last"]) == (2, 5, 6)
+    for verb in ("why", "look", "run"):
+        words = "2.956 s of the ideal time at a feed of 80 mm/min: 3.94 mm in 2 moves on lines 5-6"
+        assert f"\n  {words}\n" in pycnc(verb, file, "--slope", slope).out
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        SLOW.format("Z-0.8"),  # one feed
+        SLOW.format("Z-0.8 F700"),  # not far below the rest
+        SLOW.format("Z-0.1 F80"),  # takes no notable time
+        SLOW.format("X20 F200\nX0"),  # no few lines: a good part of the path
+        SLOW.format("G95 S3000 M3\nZ-0.8 F0.4\nG94"),  # 1200 mm/min
+        SLOW.format("G93 Z-0.8 F1500\nG94"),  # 1200 mm/min
+    ],
+)
+def test_feeds_that_are_no_surprise_are_not_named(text):
+    found = why(text)
+    assert found.slow_feeds == []
+
+
+@pytest.mark.parametrize(
+    ("line", "feed", "lines"),
+    [
+        ("G95 S1000 M3\nZ-0.8 F0.02\nG94", 20, (6, 6)),
+        ("G93 Z-0.8 F25\nG94", 20, (5, 5)),
+        ("G20\nG1 Z-0.0315 F0.8\nG21", 20.32, (6, 6)),
+    ],
+)
+def test_a_slow_feed_is_told_in_mm_min_whatever_its_mode(line, feed, lines):
+    (told,) = why(SLOW.format(line)).slow_feeds
+    assert told["feed_mm_min"] == pytest.approx(feed, rel=1e-4)
+    assert (told["line_first"], told["line_last"]) == lines
+
+
+@pytest.mark.sample(4)
+@pytest.mark.parametrize("family", FAMILIES)
+def test_the_feeds_of_all_blocks_add_up_to_the_ideal_of_cuts(family):
+    make, count = FAMILIES[family]
+    text = make(np.random.default_rng(11), count // 2)
+    found = why(text, Machine.load("mill3", set=EXACT))
+    kept, streamed = (feeds.sums_of(each) for each in (
+        load(text), Program(text.encode(), Machine.load("mill3"), keep=False)))  # fmt: skip
+    assert 60 * kept.time.sum() == pytest.approx(found.as_dict()["ideal"]["cut_s"], rel=1e-6)
+    assert (kept.time == streamed.time).all() and (kept.last == streamed.last).all()
