@@ -96,7 +96,7 @@ export function drawHead(facts, text) {
     : `ideal time ${duration(facts.ideal_s)}${slow} · `
       + `${duration(lost)} (${grouped((100 * lost) / facts.time_s)} %) lost, `
       + `most of it to ${worst.words} (${duration(worst.lost_s)})`);
-  const parts = [["cut_s", "at feed"], ["rapid_s", "rapids"], ["dwell_s", "dwells"]];
+  const parts = [["cut_s", "at feed"], ["rapid_s", "rapids"], ["dwell_s", "dwells and waits"]];
   const split = document.getElementById("split");
   for (const [key, words] of parts) {
     const time = facts.ideal[key];

@@ -4,8 +4,9 @@
 from pycnc.planning.control import title
 from pycnc.report.plot import duration
 
-KINDS = {"cut": "cut", "rapid": "rapid", "dwell": "dwell", "tool_change": "tool changes",
-         "spindle": "spindle starts"}  # fmt: skip
+# A wait is the period in which the path rests for M0, M1 or M6, or where smoothing begins.
+KINDS = {"cut": "cut", "rapid": "rapid", "dwell": "dwells and waits",
+         "tool_change": "tool changes", "spindle": "spindle starts"}  # fmt: skip
 EXTRAS = ("tool_change", "spindle")  # no axis moves meanwhile
 MOTIONS = {"accelerate": "speeding up", "cruise": "steady", "decelerate": "braking"}
 

@@ -51,8 +51,8 @@ def test_a_run_tells_what_why_tells(family, slope, seed, tmp_path):
         assert left[:5] == right[:5]
 
 
-PARTS = ("cut", "rapid", "dwell", "tool changes", "spindle starts", "speeding up", "steady",
-         "braking")  # fmt: skip
+PARTS = ("cut", "rapid", "dwells and waits", "tool changes", "spindle starts", "speeding up",
+         "steady", "braking")  # fmt: skip
 TIME = r"(?:\d+ (?:h|min) )?[\d.]+ (?:s|min)"
 TOOLS = "--set", "times.tool_change_s=8", "--set", "times.spindle_start_s=1.5"
 
@@ -97,7 +97,7 @@ def test_what_there_is_none_of_is_not_told(tmp_path):
     for verb in ("time", "run"):
         shown = pycnc(verb, file).out
         assert "speeding up" in shown
-        for words in ("  rapid ", "dwell 0", "rapid 0", "0.000 s", "accelerate"):
+        for words in ("  rapid ", "waits 0", "rapid 0", "0.000 s", "accelerate"):
             assert words not in shown
 
 

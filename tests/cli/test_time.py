@@ -124,14 +124,21 @@ def test_a_segment_that_shares_cells_with_others_gets_its_own_time():
     assert times[steps // 2] == pytest.approx(0.005, rel=1e-6), "0.05 mm at 10 mm/s"
 
 
+def test_the_rest_of_a_tool_change_is_not_told_as_a_dwell_alone(tmp_path):
+    file = tmp_path / "part.ngc"
+    file.write_text("G21 G90 G1 X10 F600\nT1 M6\nX0\nM2\n")
+    for verb in ("time", "run"):
+        assert re.search(r"dwells and waits +0\.001 s", pycnc(verb, file).out)
+
+
 def test_parts_are_told_as_a_table_with_units(tmp_path):
     file = tmp_path / "part.ngc"
     file.write_bytes(PROGRAM)
     result = pycnc("time", file, "--by", "tool")
     head, columns, *rows = result.out.splitlines()
     assert re.search(r"tool changes 16\.00 s, spindle starts 6\.000 s; speeding up", head)
-    assert columns.split() == ["time", "share", "cut", "rapid", "dwell", "tool", "changes",
-                               "spindle", "starts", "line", "tool"]  # fmt: skip
+    assert columns.split() == ["time", "share", "cut", "rapid", "dwells", "and", "waits",
+                               "tool", "changes", "spindle", "starts", "line", "tool"]  # fmt: skip
     assert [row.split()[-1] for row in rows] == ["T2", "T1"]
     assert all(" s " in row for row in rows)
     told = json.loads(pycnc("time", file, "--by", "section", "--json").out)
