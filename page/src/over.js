@@ -44,8 +44,6 @@ export function makeOver(canvas, scene, model, legend) {
   // The middle of a mark's number: the first place beside its point, above it or else below, that
   // is in the picture and covers no other number and not the legend.
   function beside([u, v], taken, [width, height]) {
-    const first = [u + BESIDE[0], v - ABOVE];
-    if (u < 0 || u > width || v < 0 || v > height) return first;
     const { offsetLeft, offsetTop, offsetWidth, offsetHeight } = legend;
     const isFree = ([x, y]) => x >= ROOM && x <= width - ROOM
       && !(x > offsetLeft - ROOM && x < offsetLeft + offsetWidth + ROOM
@@ -55,12 +53,13 @@ export function makeOver(canvas, scene, model, legend) {
     for (let y = v - ABOVE; y >= ROOM; y -= STEP) rows.push(y);
     for (let y = v + ABOVE; y <= height - ROOM; y += STEP) rows.push(y);
     const places = BESIDE.flatMap((away) => rows.map((y) => [u + away, y]));
-    return places.find(isFree) ?? first;
+    return places.find(isFree) ?? [u + BESIDE[0], v - ABOVE];
   }
 
   // Marks that would cover each other stand side by side, each with a line to its place.
   function mark({ i, label, colour }, taken, size) {
     const at = scene.screenOf(i);
+    if (at.some((one, k) => one < 0 || one > size[k])) return; // its place is not in the picture
     const [x, y] = beside(at, taken, size);
     taken.push([x, y]);
     pen.strokeStyle = colour;
