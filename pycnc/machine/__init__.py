@@ -366,6 +366,7 @@ def _validate(data):
         settings = MachineFile.model_validate(data)
     except pydantic.ValidationError as cause:
         return None, [_problem(error, data) for error in cause.errors()]
+    _leave_tools_to_grblhal(settings)
     problems = list(contradictions.of(settings))
     window, tools = lib.NCK_WINDOW, lib.NCK_TOOL_MAX
     if settings.path.lookahead_blocks > window:
@@ -385,6 +386,13 @@ def _validate(data):
     if len(settings.tool) > tools:
         problems.append(("tool", f"{tools} tools at most (the table has {len(settings.tool)})"))
     return settings, problems
+
+
+def _leave_tools_to_grblhal(settings):
+    """Forget that an operator changes tools, as grbl's files say: grblHAL does it itself."""
+    own = settings.m.get("6")
+    if settings.control.kind == "grblhal" and own is not None and own.action == "wait":
+        del settings.m["6"]
 
 
 _FREE = (lib.NCK_E_M_UNKNOWN, lib.NCK_E_UNSUPPORTED, lib.NCK_E_OTHER_BASE)

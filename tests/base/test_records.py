@@ -29,7 +29,7 @@ def compiled_layout(root, tool, tmp_path_factory):
     folder = tmp_path_factory.mktemp("layout")
     host = sorted(path.name for path in (root / "csrc" / "host").glob("*.h"))
     faces = [f"host/{name}" for name in host if not name.endswith("_math.h")]
-    own = ("sim.h", "host_serve.h", "app/outcome.h", "board/exits.h")
+    own = ("sim.h", "sim_build.h", "host_serve.h", "app/outcome.h", "board/exits.h")
     lines = [f'#include "{header}"' for header in ("nck/nck_tools.h", *faces, *own)]
     lines += ["#include <stdio.h>", "int main(void)", "{"]
     for record in RECORDS:

@@ -229,7 +229,7 @@ def test_the_pair_gives_the_same_setpoints(pair, setpoints, expected, tool, tmp_
 
 CPP = """
 #include "nck/nck.h"
-static double memory[100000];
+static double memory[120000];
 static nck_machine_t machine;
 int main() {
     nck_t *const kernel = nck_place(memory, sizeof memory);

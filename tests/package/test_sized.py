@@ -26,12 +26,12 @@ VALUES = {
     "NCK_CONTOUR": [0, *range(8, 1000)], "NCK_COMP_SPAN": [0, 16, *POWERS],
     "NCK_WINDOW": POWERS[4:], "NCK_CORNER_SPAN": [2, 4, 8, 32],
     "NCK_FILTER_TAPS": range(1, 17), "NCK_PROFILE": [0, *POWERS],
-    "NCK_CLOCKED": range(64, 160, 8), "NCK_CELL_MAX": [16, 32, 64],
+    "NCK_CLOCKED": [0, 64, 72, 80, 88, *range(104, 160, 8)], "NCK_CELL_MAX": [16, 32, 64],
 }  # fmt: skip
 CALLER = """
 #include "nck/nck.h"
 static nck_machine_t machine;
-static double memory[100000];
+static double memory[120000];
 int main(void) {
     nck_t *const kernel = nck_place(memory, sizeof memory);
     nck_machine_default(&machine);

@@ -58,7 +58,7 @@ static uint8_t lathe_does(const nck_decode_t *self, int32_t code) {
     case 890: return DWELLS | FEEDS_OUT;
     default: {
         const uint32_t said = self->words.letters | self->held.cycle.said;
-        return said & NCK_LETTER('Q') ? DWELLS | PECKS : DWELLS;
+        return (said & NCK_LETTER('Q')) ? DWELLS | PECKS : DWELLS;
     }
     }
 }
