@@ -253,7 +253,7 @@ class Wording:
             "plane": settings.dialect.plane,
             "lathe": settings.kinematics.type == "lathe_xz" and settings.dialect.base == "fanuc",
             "arc_centre": settings.dialect.arc_centre,
-            "asks": re.search(rb"# *<_(hal|ini)\[", source, re.I),
+            "asks": _ASKS.search(source),
             "meta": _meta(source, language),
         }
 
@@ -290,6 +290,14 @@ def _number_at(source, column, letter, value):
         return None
 
 
+# Of LinuxCNC's own names those that nothing here answers.
+_ASKS = re.compile(
+    rb"# *<_((hal|ini)\[|(vmajor|vminor|line|ccomp|inverse_time|units_per_minute|units_per_rev|"
+    rb"tool_offset|retract_r_plane|retract_old_z|spindle_rpm_mode|spindle_css_mode|"
+    rb"lathe_radius_mode|spindle_cw|mist|flood|speed_override|feed_override|adaptive_feed|"
+    rb"feed_hold|abs_[xyzabcuvw]|current_pocket|selected_pocket|call_level|remap_level)>)",
+    re.IGNORECASE,
+)
 _META = re.compile(
     rb"[ \t]*(if|elif|else|while|break|continue|abort|echo|var|global|set)\b|[^;]*?(\{)"
 )

@@ -295,7 +295,7 @@ WORDING = {
         "set it before, or ask for it by EXISTS[#<name>]",
     ),
     "parameter-unset:own": (
-        "the program asks what LinuxCNC's own files or its HAL say, which the kernel cannot know",
+        "the program asks what LinuxCNC alone knows (its files, HAL, a mode, its version)",
         "write the number in its place",
     ),
     "parameters-full": (

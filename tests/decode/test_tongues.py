@@ -201,7 +201,10 @@ def test_a_spindle_of_linuxcnc_is_the_one_that_there_is(seed):
     assert "$0" in found.message and found.help
 
 
-@pytest.mark.parametrize("name", ["_hal[plasmac.cut-feed-rate]", "_ini[TRAJ]MAX", "_hal[a]"])
+@pytest.mark.parametrize("name", [
+    "_hal[plasmac.cut-feed-rate]", "_ini[TRAJ]MAX", "_hal[a]", "_vmajor", "_ccomp", "_Line",
+    "_inverse_time", "_units_per_rev", "_spindle_cw", "_flood", "_abs_x", "_call_level",
+])
 def test_what_linuxcnc_alone_knows_is_refused_by_its_name(name):
     text = f"G21\nM190 P2\nF#<{name}>\nG0 X1\nM2\n"
     found = pycnc.load(text, "mill3").diagnostics
