@@ -325,10 +325,11 @@ def grbl(text, place):
 def marlin(text, place):
     """Read what M503 prints, or what is sent to set it: M words with a number behind each letter.
 
-    Of another extruder (T1) the line is told and not read.
+    Of another extruder (T1) the line is told and not read, and so is what Prusa's printers have
+    of their stealth mode, under a heading of its own.
     """
     del place
-    form = Form()
+    form, is_stealth = Form(), False
     for row in _rows(text):
         sent = _STAMP.sub("", row.raw)
         bare = re.sub(r";.*", "", re.sub(r"^(Recv:\s*)?(echo:)?", "", sent, flags=re.I)).strip()
@@ -336,7 +337,13 @@ def marlin(text, place):
             continue
         form.rows.append(row)
         words = re.match(r"([GM]\d+)\b(.*)", bare, re.I)
-        if not words or re.search(r"\bT[1-9]", words[2]) and words[1].upper() != "M204":
+        if not words:
+            is_stealth = "- stealth" in bare.lower()
+            continue
+        if is_stealth:
+            form.note(row, "of the stealth mode; the normal one counts")
+            continue
+        if re.search(r"\bT[1-9]", words[2]) and words[1].upper() != "M204":
             continue
         if words[1].upper() == "G20":
             form.put(("", "g20"), "G20", [row], last_counts=True)

@@ -237,6 +237,11 @@ def marlin(seed):
     lines = ["Steps per unit:", steps, speed, "; Acceleration", accel, *own, "M851 X0 Y0 Z-1",
              "M420 S0"]  # fmt: skip
     expected = v_of | a_of | corner | {"control.acceleration": Decimal(500)}
+    if pen.random.random() < 0.3:  # Prusa's
+        mode, other = "Maximum feedrates - {0} (mm/s):", "Maximum acceleration - {0} (mm/s2):"
+        lines[2:5] = [mode.format("normal"), speed, mode.format("stealth"), "M203 X3 Y3 Z1 E2",
+                      other.format("normal"), accel, other.format("stealth"), "M201 X9 Y9 Z2 E8",
+                      "Acceleration: P=print, R=retract, T=travel"]  # fmt: skip
     stamp = pen.random.choice(STAMPS)
     lines = [f"{stamp}{echo}{line}" for line in lines] + ["ok"]
     return Case(pen.encoded("m503.txt", lines), expected, "marlin", None)
