@@ -84,6 +84,10 @@ WORDING = {
         "S{value} is out of range ({bound} {limit})",
         "choose another speed, or set the machine's: --set spindle.rpm_max=…",
     ),
+    "number-range:S:marlin": (
+        "S{value} is out of range ({bound} {limit})",
+        "check the number; a spindle's most is --set spindle.rpm_max=…",
+    ),
     "number-range:$": (
         "$ names a spindle that there is not: the kernel has one, $0",
         "leave $ out, or say $0 (and M5 $-1 for all)",

@@ -122,7 +122,7 @@ def _rounds(pen):
     rows = ["G20" if unit != 1 else "G21", "G90 G17 G94 G0 X0 Y0", "G1 F20."]
     for _ in range(pen.randrange(3, 9)):
         far, wide, radius = (
-            f"{pen.uniform(low, high) / unit:.{digits}f}" for low, high in ((2, 60), (2, 60), (1, 5))
+            f"{pen.uniform(*ends) / unit:.{digits}f}" for ends in ((2, 60), (2, 60), (1, 5))
         )
         rows += pen.choice([
             [f"G1 X{far} Y{wide}"],
