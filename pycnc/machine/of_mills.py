@@ -156,17 +156,22 @@ def _startup(source, unit):
     for name, (key, value) in _STARTS.items():
         if name in codes:
             source.draft.put(f"dialect.{key}", value, told)
-    odd = [bare] if _START_WORD.sub("", bare) else []  # a call, an expression, a sign
-    for name in [*odd, *filter(_STARTS_NOWHERE.fullmatch, codes)]:
-        source.draft.problems.append(
-            ("RS274NGC_STARTUP_CODE", f"{name}: a machine file cannot say it; let the programs do")
-        )
+    source.draft.problems += [
+        ("RS274NGC_STARTUP_CODE", f"{name}: a machine file cannot say it; let the programs do")
+        for name in _unsaid(bare, codes)
+    ]
     for name in filter(_SYSTEMS.fullmatch, codes):
         source.draft.left.append(f"{told}: {name}; programs begin in G54, whose zero nobody knows")
     scale = _MM["inch"] if "G20" in codes else _MM["mm"] if "G21" in codes else unit
     if feed := dict(words).get("F"):
         source.draft.put("dialect.feed_default_mm_min", feed * scale, told)
     _path_mode(source, codes, dict(words).get("P"), scale, told if code else "")
+
+
+def _unsaid(bare, codes):
+    """Return what no machine file can say: a call, an expression, a sign, some codes."""
+    odd = [bare] if _START_WORD.sub("", bare) else []
+    return [*odd, *filter(_STARTS_NOWHERE.fullmatch, codes)]
 
 
 def _path_mode(source, codes, within, scale, told):
