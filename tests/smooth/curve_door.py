@@ -33,8 +33,8 @@ def build(compiler, folder, number="double"):
     """Compile the curve as the kernel is compiled; return the library."""
     library = Path(folder) / f"curve_{number}.so"
     options = ["-std=c99", "-O2", "-ffp-contract=off", "-fno-math-errno", "-fPIC", "-shared"]
-    # A PC's window: a short one tells chords apart by a knot in twenty.
-    sizes = [f"-DNCK_NUM={number}", "-DNCK_CLOCKED=128"]
+    # The window of a build without the slope: a short one tells chords apart by a knot in twenty.
+    sizes = [f"-DNCK_NUM={number}", "-DNCK_CLOCKED=0"]
     command = [compiler, *options, *sizes, f"-I{ROOT / 'csrc'}", *SOURCES]
     subprocess.run([*command, "-lm", "-o", library], check=True)
     return ctypes.CDLL(str(library))

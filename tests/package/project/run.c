@@ -7,7 +7,7 @@
 
 static nck_machine_t machine;
 static nck_t *nck;
-static double memory[100000]; // more than any default build takes
+static double memory[120000]; // more than any default build takes
 static char text[1 << 20];
 
 // One step of prep, fed with text; 0: nothing more to do before the next tick.
