@@ -78,11 +78,11 @@ typedef struct number {
 } number_t;
 
 // Is each of them within the range of its quantity?
-static int all_good(const void *self, const number_t *row, unsigned count) {
+static int all_good(const char *self, const number_t *row, unsigned count) {
     int all = 1;
     for (unsigned k = 0; all && k < count; k++) {
         double value;
-        memcpy(&value, (const char *)self + row[k].at, sizeof value);
+        memcpy(&value, &self[row[k].at], sizeof value);
         all = good((nck_quantity_t)row[k].quantity, value);
     }
     return all;
@@ -99,7 +99,7 @@ static int axis_good(const nck_axis_t *axis) {
                                        {offsetof(nck_axis_t, rapid), NCK_QUANTITY_SPEED},
                                        {offsetof(nck_axis_t, a_max), NCK_QUANTITY_ACCELERATION},
                                        {offsetof(nck_axis_t, j_max), NCK_QUANTITY_JERK}};
-    return axis->present <= 1 && axis->rotary <= 1 && all_good(axis, numbers, 4)
+    return axis->present <= 1 && axis->rotary <= 1 && all_good((const char *)axis, numbers, 4)
            && axis->rapid <= axis->v_max && axis->min_nm <= axis->max_nm
            && (axis->min_nm == free_below || place_good(axis, axis->min_nm))
            && (axis->max_nm == INT64_MAX || place_good(axis, axis->max_nm));
@@ -135,7 +135,7 @@ static int numbers_good(const nck_machine_t *machine) {
         {AT(spindle.rpm_max), NCK_QUANTITY_ROTATION},
         {AT(spindle.a_max_rpm_s), NCK_QUANTITY_ROTATION}
     };
-    return all_good(machine, numbers, sizeof numbers / sizeof numbers[0])
+    return all_good((const char *)machine, numbers, sizeof numbers / sizeof numbers[0])
            && nck_within(machine->dialect.thread_pull, 0.0, 10.0)
            && nck_within(machine->dialect.scale_unit, 0.0, 1.0);
 }
