@@ -64,8 +64,8 @@ static uint8_t lathe_does(const nck_decode_t *self, int32_t code) {
 }
 
 static unsigned drill_of(const nck_decode_t *self, int32_t code) {
-    if (!self->lathe) return (unsigned)(19 - self->modal.plane + NCK_AXIS_X);
-    return code >= NCK_MOTION_BORE_BACK ? NCK_AXIS_X : NCK_AXIS_Z;
+    if (self->lathe) return nck_motion_drill_of_lathe(code);
+    return (unsigned)(19 - self->modal.plane + NCK_AXIS_X);
 }
 
 static uint8_t does_of(int32_t code) {

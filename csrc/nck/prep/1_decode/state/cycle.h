@@ -5,9 +5,10 @@
 
 #include <stdint.h> // int64_t
 
-#include "nck/base/limits.h" // NCK_AXIS_MAX
+#include "nck/base/limits.h"  // NCK_AXIS_MAX
+#include "nck/base/records.h" // NCK_AXIS_X NCK_AXIS_Z
 
-// G87 of mills; G76 has the number of threads: NCK_MOTION_SCREW. From G87 on lathes drill along X.
+// G87 of mills; G76 has the number of threads: NCK_MOTION_SCREW.
 enum { NCK_MOTION_BORE_BACK = 870 };
 
 enum { NCK_CIRCLES_RING = 2 }; // of circles, below
@@ -46,5 +47,10 @@ typedef NCK_CYCLE_STATE nck_cycle {
 
 // Whether a motion in tenths is a canned cycle.
 static inline int nck_motion_is_cycle(int32_t motion) { return motion > 30 && motion != 800; }
+
+// The axis that a cycle of lathes drills along: from G87 on X.
+static inline unsigned nck_motion_drill_of_lathe(int32_t motion) {
+    return motion >= NCK_MOTION_BORE_BACK ? NCK_AXIS_X : NCK_AXIS_Z;
+}
 
 #endif

@@ -75,7 +75,7 @@ static int is_depth(const nck_decode_t *self, unsigned axis) {
     const int says = (self->words.codes & NCK_STEP(NCK_STEP_MOTION)) != 0;
     const int32_t motion = says ? self->words.code[NCK_STEP_MOTION] : self->modal.motion;
     return self->lathe && motion >= FIRST_DRILL && motion <= LAST_DRILL
-           && axis == (motion >= NCK_MOTION_BORE_BACK ? NCK_AXIS_X : NCK_AXIS_Z);
+           && axis == nck_motion_drill_of_lathe(motion);
 }
 
 // U, V or W becomes X, Y or Z.
