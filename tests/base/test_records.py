@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 """The NumPy dtypes lie in memory as the C compiler lays the records out."""
 
-import re
 import subprocess
 
 import numpy as np
 import pytest
+import targets
 
 from pycnc import errors
 from pycnc.kernel import records
@@ -40,10 +40,8 @@ def compiled_layout(root, tool, tmp_path_factory):
                 f'printf("{record} {field} %zu %zu\\n", offsetof({record}, {field}), {size});'
             )
     (folder / "layout.c").write_text("\n".join([*lines, "return 0;", "}"]))
-    text = (root / "cmake" / "capacities.cmake").read_text()
-    definitions = re.search(r"NCK_CAPACITY_HOST\s+([^)]*)\)", text)[1].split()
     command = [tool("cc"), "-std=c99", f"-I{root / 'csrc'}", f"-I{root / 'firmware_sim'}"]
-    command += [f"-D{definition}" for definition in definitions]
+    command += [f"-D{macro}={value}" for macro, value in targets.capacities("host").items()]
     subprocess.run([*command, folder / "layout.c", "-o", folder / "layout"], check=True)
     output = subprocess.run([folder / "layout"], capture_output=True, text=True, check=True).stdout
     rows = (line.split() for line in output.splitlines())

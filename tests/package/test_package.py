@@ -172,11 +172,10 @@ def test_an_installation_for_a_microcontroller_keeps_its_capacities(tool, tmp_pa
     done = stranger(tmp_path, f"-Dnck_DIR={tmp_path / 'small/lib/m4f/cmake/nck'}", *board)
     assert done.returncode == 0, done.stdout + done.stderr
     call(CMAKE, "--build", tmp_path / "build")
-    text = (ROOT / "cmake" / "capacities.cmake").read_text()
-    words = re.search(r"NCK_CAPACITY_SMALL\s+([^)]*)\)", text)[1].split()
     sizes = []
-    for definitions in (words, []):
-        options = [*CORES["m4f"], *(f"-D{word}" for word in definitions), f"-I{ROOT / 'csrc'}"]
+    for given in (targets.capacities("small"), {}):
+        definitions = [f"-D{name}={value}" for name, value in given.items()]
+        options = [*CORES["m4f"], *definitions, f"-I{ROOT / 'csrc'}"]
         call(compiler, "-std=c99", *options, "-c", PACKAGE / "sizes.c", "-o", tmp_path / "sizes.o")
         sizes.append(kernel_size(nm, tmp_path / "sizes.o"))
     assert sizes[0] < sizes[1]
