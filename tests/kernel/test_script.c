@@ -272,7 +272,7 @@ static void begin_anew(void)
     begin_program();
     tick();
     if (memcmp(&before, &motion.axes, sizeof before) != 0) fail("begin moves an axis");
-    for (int n = 0; n < 4; n++) {
+    for (int n = 0; n < 3; n++) {
         memcpy(motion.axis[n], motion.pose.axis, sizeof motion.axis[n]); // now at whole counts
     }
     push("G21 G90 F3000\n");

@@ -39,6 +39,9 @@ enum { BEGIN, SEED, ASSEMBLE, SOLVE, DIRECT, GO, CHECK, END };
 #define WHOLE NCK_NUM_OF(0.9)
 // A pivot is no smaller than this share of its diagonal: rounding.
 #define PIVOT_MIN NCK_NUM_OF(sizeof(nck_num) == 4 ? 1e-7 : 1e-15)
+// A free node's b is no less: τ/√b⁵ is a number of either type. Where no motion is within the limits,
+// as for a hold that comes too late, step after step would take it to nothing.
+#define FREE_MIN NCK_NUM_OF(1e-14)
 // Keeps 1/√b finite at a rest.
 #define SPEED_MIN NCK_NUM_OF(1e-9)
 
@@ -304,7 +307,8 @@ static void go(nck_motion_t *self) {
     const nck_num step = step_length(self);
     nck_motion_lanes_t back;
     for (int k = self->wish.fixed; k < self->free_end; k++) {
-        self->b[k + 1] += step * self->work->step_b[k + 1];
+        const nck_num b = self->b[k + 1] + step * self->work->step_b[k + 1];
+        self->b[k + 1] = nck_num_max(b, FREE_MIN);
     }
     for (int k = self->cap_low; k <= self->high; k++) {
         self->work->excess[k + 1] += step * self->work->step_excess[k + 1];
