@@ -63,11 +63,6 @@ static uint8_t lathe_does(const nck_decode_t *self, int32_t code) {
     }
 }
 
-static unsigned drill_of(const nck_decode_t *self, int32_t code) {
-    if (self->lathe) return nck_motion_drill_of_lathe(code);
-    return (unsigned)(19 - self->modal.plane + NCK_AXIS_X);
-}
-
 static uint8_t does_of(int32_t code) {
     static const struct {
         uint16_t code;
@@ -91,7 +86,8 @@ static uint8_t does_of(int32_t code) {
 static void keep_or_forget(nck_decode_t *self, int32_t before) {
     nck_cycle_t *const cycle = &self->held.cycle;
     const int32_t code = self->words.code[NCK_STEP_MOTION];
-    const unsigned drill = drill_of(self, code);
+    const unsigned drill = self->lathe ? nck_motion_drill_of_lathe(code)
+                                       : (unsigned)(19 - self->modal.plane + NCK_AXIS_X);
     const int cycled = nck_motion_is_cycle(before) && drills(self, before)
                        && cycle->drill == drill;
     if (!cycled || (code != before && !nck_is_fanuc(self))) cycle->said = 0;
@@ -319,16 +315,6 @@ static nck_status_t drill_to(nck_decode_t *self, nck_block_kind_t kind, int64_t 
     return go(self, kind, out);
 }
 
-static nck_status_t over(nck_decode_t *self, nck_block_t *out) {
-    nck_cycle_t *const cycle = &self->held.cycle;
-    cycle->hole_nm[cycle->drill] = self->place.position_nm[cycle->drill];
-    if (memcmp(self->place.position_nm, cycle->hole_nm, sizeof cycle->hole_nm) == 0) {
-        return NCK_EMPTY;
-    }
-    memcpy(self->place.position_nm, cycle->hole_nm, sizeof cycle->hole_nm);
-    return go(self, NCK_BLOCK_RAPID, out);
-}
-
 // To the bottom and back with the spindle.
 static nck_status_t tap(nck_decode_t *self, nck_block_t *out) {
     nck_cycle_t *const cycle = &self->held.cycle;
@@ -356,35 +342,11 @@ static int64_t back_nm(const nck_cycle_t *cycle) {
     return level_nm < cycle->level_nm[NCK_LEVEL_R] ? level_nm : cycle->level_nm[NCK_LEVEL_R];
 }
 
-static nck_status_t dwell(nck_decode_t *self, nck_block_t *out) {
-    const nck_cycle_t *const cycle = &self->held.cycle;
-    const int peck_rests = (cycle->does & PECKS) && (cycle->said & PECK_RESTS);
-    const int rests = (cycle->does & DWELLS) || peck_rests;
-    if (!rests || !(cycle->dwell_s > 0.0)) return NCK_EMPTY;
-    return nck_decode_give_dwell(self, cycle->dwell_s, out);
-}
-
 // M5 at the bottom, and what it was behind the way out.
 static nck_status_t spindle(nck_decode_t *self, double code, nck_block_t *out) {
     if (!(self->held.cycle.does & STOPS)) return NCK_EMPTY;
     self->modal.spindle_on = code != 5.0;
     return nck_decode_give_m(self, code, out);
-}
-
-// At feed up to R. RS274NGC's G89 goes on so, to where it retracts to.
-static nck_status_t feed_out(nck_decode_t *self, nck_block_t *out) {
-    const nck_cycle_t *const cycle = &self->held.cycle;
-    const int whole = (cycle->does & DWELLS) && !nck_is_fanuc(self); // no peck feeds out
-    if (!(cycle->does & FEEDS_OUT)) return NCK_EMPTY;
-    const unsigned level = whole ? NCK_LEVEL_CLEAR : NCK_LEVEL_R;
-    return drill_to(self, NCK_BLOCK_LINE, cycle->level_nm[level], out);
-}
-
-static nck_status_t turn(nck_decode_t *self, nck_block_t *out) {
-    nck_cycle_t *const cycle = &self->held.cycle;
-    const uint8_t code = cycle->turns;
-    cycle->turns = 0;
-    return code != 0 ? nck_decode_give_m(self, code, out) : NCK_EMPTY;
 }
 
 // The hole is done: the next one.
@@ -409,11 +371,21 @@ static nck_status_t do_way(nck_decode_t *self, unsigned phase, nck_block_t *out)
     nck_cycle_t *const cycle = &self->held.cycle;
     const int64_t *const level_nm = cycle->level_nm;
     switch (phase) {
-    case PHASE_TURN: return turn(self, out);
+    case PHASE_TURN: {
+        const uint8_t code = cycle->turns;
+        cycle->turns = 0;
+        return code != 0 ? nck_decode_give_m(self, code, out) : NCK_EMPTY;
+    }
     case PHASE_RISE:
         if (self->place.position_nm[cycle->drill] >= level_nm[NCK_LEVEL_R]) return NCK_EMPTY;
         return drill_to(self, NCK_BLOCK_RAPID, level_nm[NCK_LEVEL_R], out);
-    case PHASE_OVER: return over(self, out);
+    case PHASE_OVER:
+        cycle->hole_nm[cycle->drill] = self->place.position_nm[cycle->drill];
+        if (memcmp(self->place.position_nm, cycle->hole_nm, sizeof cycle->hole_nm) == 0) {
+            return NCK_EMPTY;
+        }
+        memcpy(self->place.position_nm, cycle->hole_nm, sizeof cycle->hole_nm);
+        return go(self, NCK_BLOCK_RAPID, out);
     case PHASE_DOWN: return drill_to(self, NCK_BLOCK_RAPID, level_nm[NCK_LEVEL_R], out);
     case PHASE_CUT: return cycle->does & TAPS ? tap(self, out) : cut(self, out);
     case PHASE_BACK:
@@ -428,9 +400,20 @@ static nck_status_t do_way(nck_decode_t *self, unsigned phase, nck_block_t *out)
 static nck_status_t do_bottom(nck_decode_t *self, unsigned phase, nck_block_t *out) {
     nck_cycle_t *const cycle = &self->held.cycle;
     switch (phase) {
-    case PHASE_DWELL: return dwell(self, out);
+    case PHASE_DWELL: {
+        const int peck_rests = (cycle->does & PECKS) && (cycle->said & PECK_RESTS);
+        const int rests = (cycle->does & DWELLS) || peck_rests;
+        if (!rests || !(cycle->dwell_s > 0.0)) return NCK_EMPTY;
+        return nck_decode_give_dwell(self, cycle->dwell_s, out);
+    }
     case PHASE_STOP: return spindle(self, 5.0, out);
-    case PHASE_FEED_OUT: return feed_out(self, out);
+    case PHASE_FEED_OUT: {
+        // At feed up to R. RS274NGC's G89 goes on so, to where it retracts to.
+        const int whole = (cycle->does & DWELLS) && !nck_is_fanuc(self); // no peck feeds out
+        if (!(cycle->does & FEEDS_OUT)) return NCK_EMPTY;
+        const unsigned level = whole ? NCK_LEVEL_CLEAR : NCK_LEVEL_R;
+        return drill_to(self, NCK_BLOCK_LINE, cycle->level_nm[level], out);
+    }
     case PHASE_CLEAR: return drill_to(self, NCK_BLOCK_RAPID, cycle->level_nm[NCK_LEVEL_CLEAR], out);
     default: // PHASE_START
         end_hole(self);

@@ -50,11 +50,6 @@ static int cuts_up(const nck_decode_t *self) {
     return self->modal.motion == NCK_MOTION_BORE_BACK && !self->lathe;
 }
 
-// Whether R lies on the wrong side of the bottom.
-static int is_beyond(const nck_decode_t *self, int64_t r_nm, int64_t bottom_nm) {
-    return cuts_up(self) ? r_nm > bottom_nm : r_nm < bottom_nm;
-}
-
 // What the drill comes out to.
 static int64_t clear_nm(const nck_decode_t *self, int64_t r_nm) {
     const nck_cycle_t *const cycle = &self->held.cycle;
@@ -62,13 +57,16 @@ static int64_t clear_nm(const nck_decode_t *self, int64_t r_nm) {
     return cycle->to_r && !cuts_up(self) ? r_nm : high_nm;
 }
 
-static nck_status_t set_levels(nck_decode_t *self) {
+nck_status_t nck_cycle_heights(nck_decode_t *self) {
+    nck_status_t status = read_heights(self);
+    if (status != NCK_OK) return status;
     nck_cycle_t *const cycle = &self->held.cycle;
     const int64_t origin_nm = self->place.origin_nm[cycle->drill];
     const int steps = !nck_is_fanuc(self) && self->modal.incremental;
     const int64_t r_nm = cycle->r_nm + (steps ? cycle->initial_nm : 0);
     const int64_t bottom_nm = cycle->depth_nm + (steps ? r_nm : 0);
-    if (is_beyond(self, r_nm, bottom_nm)) {
+    // R lies on the wrong side of the bottom.
+    if (cuts_up(self) ? r_nm > bottom_nm : r_nm < bottom_nm) {
         const nck_scale_t *const scale = nck_decode_scale_of(self, cycle->drill);
         const double most_nm = (double)(bottom_nm - (r_nm - cycle->r_nm));
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'R',
@@ -79,7 +77,6 @@ static nck_status_t set_levels(nck_decode_t *self) {
     cycle->level_nm[NCK_LEVEL_BOTTOM] = bottom_nm + origin_nm;
     cycle->level_nm[NCK_LEVEL_CLEAR] = clear_nm(self, r_nm) + origin_nm;
     cycle->level_nm[NCK_LEVEL_CUT] = cycle->level_nm[NCK_LEVEL_R];
-    nck_status_t status = NCK_OK;
     for (unsigned k = NCK_LEVEL_R; k <= NCK_LEVEL_CLEAR && status == NCK_OK; k++) {
         status = nck_decode_steps(self, cycle->drill, 0, 0, &cycle->level_nm[k]);
         if (status == NCK_OK) {
@@ -87,9 +84,4 @@ static nck_status_t set_levels(nck_decode_t *self) {
         }
     }
     return status;
-}
-
-nck_status_t nck_cycle_heights(nck_decode_t *self) {
-    const nck_status_t status = read_heights(self);
-    return status == NCK_OK ? set_levels(self) : status;
 }
