@@ -73,7 +73,9 @@ static void bring_back(nck_decode_t *self) {
 // ---- a line
 
 // A and C are a corner's in RS274NGC's contours.
-static nck_status_t take_corner(nck_decode_t *self) {
+nck_status_t nck_contour_words(nck_decode_t *self) {
+    if (!NCK_HAS_CONTOUR) return NCK_E_UNSUPPORTED;
+    if (self->machine->dialect.base != NCK_DIALECT_LINUXCNC) return NCK_OK;
     nck_words_t *const words = &self->words;
     const uint32_t both = NCK_LETTER('A') | NCK_LETTER('C');
     const uint32_t said = words->letters & both;
@@ -91,11 +93,6 @@ static nck_status_t take_corner(nck_decode_t *self) {
     if (letter == 'C') *size_nm = -*size_nm;
     words->letters &= ~said;
     return NCK_OK;
-}
-
-nck_status_t nck_contour_words(nck_decode_t *self) {
-    if (!NCK_HAS_CONTOUR) return NCK_E_UNSUPPORTED;
-    return self->machine->dialect.base == NCK_DIALECT_LINUXCNC ? take_corner(self) : NCK_OK;
 }
 
 // The first line of P … Q is the one that follows the cycle.

@@ -267,7 +267,9 @@ static nck_status_t check_modes(nck_decode_t *self) {
     return nck_decode_cycle_fits(self);
 }
 
-static nck_status_t begin_cycle(nck_decode_t *self) {
+nck_status_t nck_decode_profile(nck_decode_t *self, nck_block_t *out) {
+    if (!NCK_HAS_CONTOUR) return NCK_E_UNSUPPORTED;
+    if (self->held.rough.phase != 0) return nck_rough_next(self, out);
     nck_rough_t *const rough = &self->held.rough;
     const uint32_t code = code_of(self);
     nck_status_t status = check_modes(self);
@@ -285,9 +287,4 @@ static nck_status_t begin_cycle(nck_decode_t *self) {
     rough->sign[0] = 0;
     rough->sign[1] = 0;
     return self->lathe ? read_numbers(self) : call_contour(self);
-}
-
-nck_status_t nck_decode_profile(nck_decode_t *self, nck_block_t *out) {
-    if (!NCK_HAS_CONTOUR) return NCK_E_UNSUPPORTED;
-    return self->held.rough.phase != 0 ? nck_rough_next(self, out) : begin_cycle(self);
 }

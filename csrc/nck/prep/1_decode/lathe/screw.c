@@ -270,19 +270,6 @@ static double next_depth(const nck_screw_t *screw) {
     return nck_min(screw->rough, nck_max(wanted, screw->depth + screw->step_least));
 }
 
-// Depths are told, and passes are not without number.
-static nck_status_t check_depths(nck_decode_t *self, char first) {
-    const nck_screw_t *const screw = &self->held.screw;
-    const double most = screw->first * nck_power((double)PASSES_MOST, screw->power);
-    const int steps = screw->step_least * (double)PASSES_MOST >= screw->full;
-    if (screw->full == 0.0) return NCK_OK;
-    if (!(screw->first > 0.0) || !(most >= screw->full || steps)) {
-        return fail_range(self, first, screw->full);
-    }
-    if (screw->rough < 0.0) return fail_range(self, 'R', screw->full);
-    return NCK_OK;
-}
-
 // What the code is for the lines behind it. NCK_OK: a cycle begins; NCK_EMPTY: the line only says
 // what holds for one.
 static nck_status_t begin_mode(nck_decode_t *self) {
@@ -303,7 +290,17 @@ static nck_status_t read_cycle(nck_decode_t *self) {
     const char first = !self->lathe ? 'J' : nck_has_word(self, 'K') ? 'D' : 'Q';
     nck_status_t status = self->lathe ? read_fanuc(self) : read_rs274(self);
     if (status == NCK_OK) status = nck_decode_thread_fits(self);
-    return status == NCK_OK ? check_depths(self, first) : status;
+    if (status != NCK_OK) return status;
+    // Depths are told, and passes are not without number.
+    const nck_screw_t *const screw = &self->held.screw;
+    const double most = screw->first * nck_power((double)PASSES_MOST, screw->power);
+    const int steps = screw->step_least * (double)PASSES_MOST >= screw->full;
+    if (screw->full == 0.0) return NCK_OK;
+    if (!(screw->first > 0.0) || !(most >= screw->full || steps)) {
+        return fail_range(self, first, screw->full);
+    }
+    if (screw->rough < 0.0) return fail_range(self, 'R', screw->full);
+    return NCK_OK;
 }
 
 static nck_status_t begin(nck_decode_t *self) {
