@@ -58,13 +58,6 @@ int nck_decode_block_good(const nck_block_in_t *block) {
                           && (!within_p || nck_within(block->tolerance, 0.0, linear_max_mm))));
 }
 
-static void set_feed(nck_decode_t *self, const nck_block_in_t *block) {
-    if (!(block->sets & NCK_IN_SETS_FEED)) return;
-    self->modal.feed_mode = block->feed_mode;
-    nck_decode_set_feed(self, block->feed, block->feed);
-    self->words.letters |= NCK_LETTER('F'); // what inverse time asks for
-}
-
 static void set_path(nck_decode_t *self, const nck_block_in_t *block) {
     if (!(block->sets & NCK_IN_SETS_PATH)) return;
     const int within_p = block->path_mode == NCK_PATH_CONTINUOUS;
@@ -97,7 +90,11 @@ nck_status_t nck_decode_pushed(nck_decode_t *self) {
     self->words.steps = 0;
     nck_decode_leave(self, NCK_REST_PUSHED);
     self->finding.given |= 1u << NCK_NOTE_NO_END; // geometry has no M2
-    set_feed(self, block);
+    if (block->sets & NCK_IN_SETS_FEED) {
+        self->modal.feed_mode = block->feed_mode;
+        nck_decode_set_feed(self, block->feed, block->feed);
+        self->words.letters |= NCK_LETTER('F'); // what inverse time asks for
+    }
     set_path(self, block);
     const nck_status_t status = block->kind == NCK_IN_M ? set_code(self, block) : NCK_OK;
     if (status != NCK_OK) return status;
@@ -139,17 +136,6 @@ static uint16_t motion_of(const nck_block_in_t *block) {
     return block->turns < 0 ? 20 : 30;
 }
 
-static nck_status_t move(nck_decode_t *self, const nck_block_in_t *block, nck_block_t *out) {
-    int64_t target_nm[NCK_AXIS_MAX];
-    self->words.code[NCK_STEP_MOTION] = motion_of(block);
-    self->modal.motion = self->words.code[NCK_STEP_MOTION];
-    self->modal.group = (uint8_t)self->modal.motion;
-    self->words.axes = block->axes;
-    if (block->kind == NCK_IN_ARC) self->modal.plane = block->plane;
-    const nck_status_t status = read_target(self, block, target_nm);
-    return status == NCK_OK ? nck_decode_go(self, block, target_nm, out) : status;
-}
-
 nck_status_t nck_decode_give_pushed(nck_decode_t *self, nck_block_t *out) {
     const nck_block_in_t *const block = &self->pushed;
     switch (block->kind) {
@@ -157,6 +143,15 @@ nck_status_t nck_decode_give_pushed(nck_decode_t *self, nck_block_t *out) {
     case NCK_IN_DWELL: return nck_decode_give_dwell(self, block->value, out);
     case NCK_IN_S: return nck_decode_set_speed(self, block->value, out);
     case NCK_IN_T: return nck_decode_set_tool(self, block->value, out);
-    default: return move(self, block, out);
+    default: {
+        int64_t target_nm[NCK_AXIS_MAX];
+        self->words.code[NCK_STEP_MOTION] = motion_of(block);
+        self->modal.motion = self->words.code[NCK_STEP_MOTION];
+        self->modal.group = (uint8_t)self->modal.motion;
+        self->words.axes = block->axes;
+        if (block->kind == NCK_IN_ARC) self->modal.plane = block->plane;
+        const nck_status_t status = read_target(self, block, target_nm);
+        return status == NCK_OK ? nck_decode_go(self, block, target_nm, out) : status;
+    }
     }
 }
