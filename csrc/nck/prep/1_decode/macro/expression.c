@@ -53,15 +53,6 @@ static int is_fanuc(const work_t *work) {
 
 static void skip(work_t *work) { work->at = nck_decode_skip(work->at); }
 
-static void push_value(work_t *work, double value) {
-    if (work->values == DEPTH) {
-        refuse(work);
-        return;
-    }
-    work->value[work->values] = value;
-    work->values++;
-}
-
 static void push_operator(work_t *work, operator_t operator) {
     if (work->operators == DEPTH) {
         refuse(work);
@@ -76,12 +67,6 @@ static operator_t top(const work_t *work) {
 }
 
 // ---- arithmetic
-
-// Down and up; in Fanuc's language towards zero and away from it.
-static double to_whole(const work_t *work, double x, int up) {
-    const int ceils = is_fanuc(work) && x < 0.0 ? !up : up;
-    return ceils ? -nck_floor(-x) : nck_floor(x);
-}
 
 static double in_degrees(double angle) { return angle * 180.0 / NCK_PI; }
 
@@ -112,7 +97,12 @@ static double root_or_log(work_t *work, operator_t function, double x) {
 
 static double rounded(const work_t *work, operator_t function, double x) {
     const int to_nearest = function == ROUND || function == RND; // halves away from zero
-    if (!to_nearest) return to_whole(work, x, function == FUP);
+    // Down and up; in Fanuc's language towards zero and away from it.
+    if (!to_nearest) {
+        const int up = function == FUP;
+        const int ceils = is_fanuc(work) && x < 0.0 ? !up : up;
+        return ceils ? -nck_floor(-x) : nck_floor(x);
+    }
     return x < 0.0 ? -nck_floor(0.5 - x) : nck_floor(x + 0.5);
 }
 
@@ -222,7 +212,12 @@ static double pop(work_t *work) {
 
 static void give(work_t *work, double value) {
     if (nck_value_is(value) && !(nck_fabs(value) < huge)) fail(work, NCK_E_VALUE, 0.0);
-    push_value(work, value);
+    if (work->values == DEPTH) {
+        refuse(work);
+        return;
+    }
+    work->value[work->values] = value;
+    work->values++;
 }
 
 static int level_of(operator_t operator) {
@@ -402,15 +397,6 @@ static operator_t read_binary(work_t *work) {
     return (operator_t)(OR + place - 1);
 }
 
-static void close(work_t *work) {
-    reduce(work, 1);
-    if (work->operators == 0) refuse(work);
-    else work->operators--; // the bracket
-    work->open--;
-    work->at++;
-    complete(work);
-}
-
 // ATAN[y, x]: Fanuc's way; POW[x, y].
 static void next_argument(work_t *work) {
     only(work, NCK_TONGUES_FANUC);
@@ -432,7 +418,12 @@ static int read_behind(work_t *work, int bare) {
         if (top(work) == ANGLE) return 1;
         if (work->open == 0 && !bare) return 0;
         if (*work->at == ']' && work->open > 0) {
-            close(work);
+            reduce(work, 1);
+            if (work->operators == 0) refuse(work);
+            else work->operators--; // the bracket
+            work->open--;
+            work->at++;
+            complete(work);
             continue;
         }
         if (*work->at == ',' && work->open > 0) {

@@ -51,18 +51,15 @@ static int speeds(const nck_modes_t *now, const nck_modes_t *then) {
 
 static uint32_t coolants(uint32_t on) { return (on & 1u ? MIST : 0u) | (on & 2u ? FLOOD : 0u); }
 
-static uint32_t owed(const nck_modes_t *now, const nck_modes_t *then) {
-    const int turns = now->spindle_on != then->spindle_on
-                      || (then->spindle_on && now->spindle_code != then->spindle_code);
-    uint32_t bits = speeds(now, then) ? SPEED : 0u;
-    if (turns) bits |= SPINDLE;
-    if (now->coolant & (uint32_t)~then->coolant) bits |= OFF;
-    return bits | coolants(bits & OFF ? then->coolant : then->coolant & (uint32_t)~now->coolant);
-}
-
 static void restore(nck_decode_t *self, const nck_state_t *state) {
     const nck_modes_t now = self->modal;
-    self->states.pending = owed(&now, &state->modal);
+    const int turns = now.spindle_on != state->modal.spindle_on
+                      || (state->modal.spindle_on && now.spindle_code != state->modal.spindle_code);
+    uint32_t bits = speeds(&now, &state->modal) ? SPEED : 0u;
+    if (turns) bits |= SPINDLE;
+    if (now.coolant & (uint32_t)~state->modal.coolant) bits |= OFF;
+    self->states.pending = bits | coolants(bits & OFF ? state->modal.coolant
+                                           : state->modal.coolant & (uint32_t)~now.coolant);
     self->modal = state->modal;
     self->modal.motion = now.motion;
     self->modal.tool_next = now.tool_next;

@@ -80,16 +80,6 @@ static nck_status_t condition(nck_decode_t *self, const char **at, uint64_t key)
     return status;
 }
 
-// Met on the way, it ends the branch before it; looked for, its condition counts.
-static nck_status_t else_if(nck_decode_t *self, const char **at, uint64_t key) {
-    const int decides = self->macro.seek.decides != 0;
-    self->macro.seek.decides = 0;
-    if (decides) return condition(self, at, key);
-    nck_seek(self, NCK_SEEK_ENDIF, key);
-    *at = self->line.text + self->line.size;
-    return NCK_OK;
-}
-
 // ---- loops
 
 static int is_loop(const nck_frame_t *loop, uint64_t key, nck_frame_kind_t kind) {
@@ -110,18 +100,6 @@ static nck_status_t while_loop(nck_decode_t *self, const char **at, uint64_t key
     }
     if (tail || again) self->macro.depth--;
     if (!tail) nck_seek(self, NCK_SEEK_LOOP_END, key);
-    return NCK_OK;
-}
-
-static nck_status_t repeat(nck_decode_t *self, const char **at, uint64_t key) {
-    double value = 0.0;
-    const nck_status_t status = read_bracket(self, at, &value);
-    if (status != NCK_OK) return status;
-    if (!(value <= repeat_most)) return fail_at(self, *at, NCK_E_NUMBER_RANGE);
-    if (value >= 0.5) {
-        return nck_frame_push(self, NCK_FRAME_REPEAT, key, (uint32_t)(value + 0.5));
-    }
-    nck_seek(self, NCK_SEEK_LOOP_END, key);
     return NCK_OK;
 }
 
@@ -158,7 +136,17 @@ static nck_status_t do_loop_word(nck_decode_t *self, const char **at, unsigned w
     case NCK_O_WHILE: return while_loop(self, at, key);
     case NCK_O_ENDWHILE: return end_loop(self, key, NCK_FRAME_WHILE);
     case NCK_O_DO: return nck_frame_push(self, NCK_FRAME_DO, key, 0);
-    case NCK_O_REPEAT: return repeat(self, at, key);
+    case NCK_O_REPEAT: {
+        double value = 0.0;
+        const nck_status_t status = read_bracket(self, at, &value);
+        if (status != NCK_OK) return status;
+        if (!(value <= repeat_most)) return fail_at(self, *at, NCK_E_NUMBER_RANGE);
+        if (value >= 0.5) {
+            return nck_frame_push(self, NCK_FRAME_REPEAT, key, (uint32_t)(value + 0.5));
+        }
+        nck_seek(self, NCK_SEEK_LOOP_END, key);
+        return NCK_OK;
+    }
     case NCK_O_ENDREPEAT: return end_loop(self, key, NCK_FRAME_REPEAT);
     default: return leave(self, key, word == NCK_O_CONTINUE);
     }
@@ -173,7 +161,15 @@ static nck_status_t do_word(nck_decode_t *self, const char **at, unsigned word, 
     case NCK_O_ENDSUB:
     case NCK_O_RETURN: return give_back(self, at, key, word == NCK_O_RETURN);
     case NCK_O_IF: return condition(self, at, key);
-    case NCK_O_ELSEIF: return else_if(self, at, key);
+    case NCK_O_ELSEIF: {
+        // Met on the way, it ends the branch before it; looked for, its condition counts.
+        const int decides = self->macro.seek.decides != 0;
+        self->macro.seek.decides = 0;
+        if (decides) return condition(self, at, key);
+        nck_seek(self, NCK_SEEK_ENDIF, key);
+        *at = self->line.text + self->line.size;
+        return NCK_OK;
+    }
     case NCK_O_ELSE:
         nck_seek(self, NCK_SEEK_ENDIF, key);
         return NCK_OK;

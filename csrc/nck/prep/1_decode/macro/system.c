@@ -141,17 +141,15 @@ static double number_in_force(const nck_decode_t *self, ask_t ask) {
     }
 }
 
-// What is in force of the other groups: G98 G99; G54 … G59, G54.1.
-static double group(const nck_decode_t *self, ask_t ask) {
-    const uint32_t system = self->place.work_system;
-    if (ask == ASK_RETRACT) return 98.0 + self->held.cycle.to_r;
-    return system == NCK_WORK_SYSTEMS ? 54.1 : 54.0 + system;
-}
-
 static double answer(const nck_decode_t *self, ask_t ask, unsigned index) {
     if (ask <= ASK_WORK) return place(self, ask, index);
     const int sets = ask >= ASK_MOTION && ask <= ASK_SURFACE;
-    if (ask == ASK_RETRACT || ask == ASK_SYSTEM_CODE) return group(self, ask);
+    // What is in force of the other groups: G98 G99; G54 … G59, G54.1.
+    if (ask == ASK_RETRACT || ask == ASK_SYSTEM_CODE) {
+        const uint32_t system = self->place.work_system;
+        if (ask == ASK_RETRACT) return 98.0 + self->held.cycle.to_r;
+        return system == NCK_WORK_SYSTEMS ? 54.1 : 54.0 + system;
+    }
     return sets ? setting(self, ask) : number_in_force(self, ask);
 }
 
