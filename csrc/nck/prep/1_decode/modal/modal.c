@@ -58,13 +58,6 @@ void nck_decode_set_feed(nck_decode_t *self, double feed, double word) {
     self->modal.excused &= (uint8_t)~NCK_EXCUSED_FEED;
 }
 
-// Per minute no feed is slower than the slowest axis may be: a millimetre would take days.
-static double least_feed(const nck_decode_t *self) {
-    nck_range_t speed;
-    nck_machine_range(NCK_QUANTITY_SPEED, &speed);
-    return self->modal.feed_mode == NCK_FEED_PER_MINUTE ? 60.0 * speed.low : 0.0;
-}
-
 // mm in the unit of F. RS274NGC sets the feed before the units; others read it in its line's.
 static double feed_unit_mm(const nck_decode_t *self) {
     const int changes = (self->words.codes & NCK_STEP(NCK_STEP_UNITS)) != 0;
@@ -88,7 +81,10 @@ nck_status_t nck_decode_feed(nck_decode_t *self, nck_block_t *out) {
     if (value < 0.0 || feed > value_max) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'F', value, value_max / unit);
     }
-    const double least = least_feed(self);
+    // Per minute no feed is slower than the slowest axis may be: a millimetre would take days.
+    nck_range_t speed;
+    nck_machine_range(NCK_QUANTITY_SPEED, &speed);
+    const double least = self->modal.feed_mode == NCK_FEED_PER_MINUTE ? 60.0 * speed.low : 0.0;
     if (feed > 0.0 && feed < least) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'F', value, least / unit);
     }
@@ -96,27 +92,26 @@ nck_status_t nck_decode_feed(nck_decode_t *self, nck_block_t *out) {
     return NCK_EMPTY;
 }
 
-// M61: the tool in the spindle is this one; nothing moves.
-static nck_status_t set_tool(nck_decode_t *self) {
-    int64_t number = 0;
-    if (!nck_has_word(self, 'Q')) {
-        return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_CHANGE, 'Q', 0.0, 0.0);
-    }
-    const nck_status_t status = nck_decode_whole(self, 'Q', NCK_DECODE_VALUE_MAX, 0, &number);
-    if (status != NCK_OK) return status;
-    const uint32_t tool = (uint32_t)number;
-    const int unknown = self->machine->tool_count > 0 && nck_decode_find_tool(self, tool) == NULL;
-    if (tool > 0 && unknown) {
-        return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'Q', (double)number, 0.0);
-    }
-    self->modal.tool_in = tool;
-    return NCK_EMPTY;
-}
-
 // A tool is changed at rest (NISTIR 6556, M6): the spindle's stop goes before the wait, whether or
 // not the program has started it.
 nck_status_t nck_decode_change(nck_decode_t *self, nck_block_t *out) {
-    if (self->words.code[NCK_STEP_CHANGE] == SET_TOOL) return set_tool(self);
+    // M61: the tool in the spindle is this one; nothing moves.
+    if (self->words.code[NCK_STEP_CHANGE] == SET_TOOL) {
+        int64_t number = 0;
+        if (!nck_has_word(self, 'Q')) {
+            return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_CHANGE, 'Q', 0.0, 0.0);
+        }
+        const nck_status_t status = nck_decode_whole(self, 'Q', NCK_DECODE_VALUE_MAX, 0, &number);
+        if (status != NCK_OK) return status;
+        const uint32_t tool = (uint32_t)number;
+        const int unknown = self->machine->tool_count > 0
+                            && nck_decode_find_tool(self, tool) == NULL;
+        if (tool > 0 && unknown) {
+            return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'Q', (double)number, 0.0);
+        }
+        self->modal.tool_in = tool;
+        return NCK_EMPTY;
+    }
     if (self->words.code[NCK_STEP_CHANGE] == CHANGE_WAITS) {
         return nck_decode_give_output(self, NCK_BLOCK_WAIT, NCK_OUTPUT_M, 6.0, out);
     }

@@ -23,15 +23,11 @@ static nck_status_t give_surface(nck_decode_t *self, double mm_min, nck_block_t 
     return nck_decode_give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_SURFACE_SPEED, mm_min, out);
 }
 
-// grbl turns as fast as its spindle can, whatever more is asked for.
-static int is_clipped(const nck_decode_t *self, double word, double limit) {
-    return word > limit && word <= value_max && (self->tongue & NCK_TONGUE_GRBL) != 0;
-}
-
 nck_status_t nck_decode_set_speed(nck_decode_t *self, double word, nck_block_t *out) {
     const double rpm_max = self->machine->spindle.rpm_max;
     const double limit = rpm_max > 0.0 ? rpm_max : value_max;
-    const int clipped = is_clipped(self, word, limit);
+    // grbl turns as fast as its spindle can, whatever more is asked for.
+    const int clipped = word > limit && word <= value_max && (self->tongue & NCK_TONGUE_GRBL) != 0;
     const double value = clipped ? limit : word;
     const int same = !self->modal.surface_on && self->modal.speed == value;
     if (clipped) nck_decode_note_word(self, NCK_NOTE_CLIPPED, 'S', word);
