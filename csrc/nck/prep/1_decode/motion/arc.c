@@ -177,9 +177,13 @@ static int radii_agree(const nck_decode_t *self, double start, double end) {
            || (miss <= 100.0 * tolerance && miss <= 0.001 * nck_max(start, end));
 }
 
-// An arc that misses its circle: would it be on one if I J K counted the other way?
-static nck_status_t fail_radius(nck_decode_t *self, const course_t *course, double start,
-                                double end) {
+static nck_status_t check_radii(nck_decode_t *self, const course_t *course) {
+    const double start = nck_arc_norm(course->c[0], course->c[1]);
+    const double end = nck_arc_norm(course->d[0] - course->c[0], course->d[1] - course->c[1]);
+
+    if (!(start > 0.0)) return fail_arc(self, NCK_E_ARC_CENTRE, 0.0, 0.0);
+    if (radii_agree(self, start, end)) return NCK_OK;
+    // An arc that misses its circle: would it be on one if I J K counted the other way?
     const unsigned axes[2] = {course->u, course->v};
     const int absolute = self->modal.centre_absolute;
     const double sign = absolute ? -1.0 : 1.0;
@@ -196,14 +200,6 @@ static nck_status_t fail_radius(nck_decode_t *self, const course_t *course, doub
     self->finding.error.code = NCK_E_ARC_MODE;
     self->finding.error.letter = absolute ? 'I' : 'A';
     return NCK_E_ARC_MODE;
-}
-
-static nck_status_t check_radii(nck_decode_t *self, const course_t *course) {
-    const double start = nck_arc_norm(course->c[0], course->c[1]);
-    const double end = nck_arc_norm(course->d[0] - course->c[0], course->d[1] - course->c[1]);
-
-    if (!(start > 0.0)) return fail_arc(self, NCK_E_ARC_CENTRE, 0.0, 0.0);
-    return radii_agree(self, start, end) ? NCK_OK : fail_radius(self, course, start, end);
 }
 
 static int is_empty(const course_t *course) {

@@ -245,18 +245,6 @@ static nck_status_t check_end(nck_decode_t *self, const int64_t *end_nm) {
     return status;
 }
 
-// The first move goes out; there is nothing between both.
-static nck_status_t part(nck_decode_t *self, const int64_t *corner_nm, nck_block_t *out) {
-    nck_corner_t *const corner = &self->held.corner;
-    *out = corner->held;
-    memcpy(corner->end_nm, self->place.position_nm, sizeof corner->end_nm);
-    memcpy(corner->from_nm, corner_nm, sizeof corner->from_nm);
-    memcpy(self->place.position_nm, corner_nm, sizeof corner->from_nm);
-    corner->phase = NCK_CORNER_ENDS;
-    self->words.steps |= corner->later & LATER;
-    return NCK_OK;
-}
-
 // Where both moves meet, and how they do.
 static nck_status_t find_edges(nck_decode_t *self, int64_t *corner_nm, nck_edge_t *edges) {
     nck_corner_t *const corner = &self->held.corner;
@@ -287,7 +275,16 @@ static nck_status_t join(nck_decode_t *self, nck_block_t *out) {
     unsigned axes[2];
     const nck_status_t status = find_edges(self, corner_nm, edges);
     if (status != NCK_OK) return status;
-    if (corner->letter == 'A') return part(self, corner_nm, out);
+    // The first move goes out; there is nothing between both.
+    if (corner->letter == 'A') {
+        *out = corner->held;
+        memcpy(corner->end_nm, self->place.position_nm, sizeof corner->end_nm);
+        memcpy(corner->from_nm, corner_nm, sizeof corner->from_nm);
+        memcpy(self->place.position_nm, corner_nm, sizeof corner->from_nm);
+        corner->phase = NCK_CORNER_ENDS;
+        self->words.steps |= corner->later & LATER;
+        return NCK_OK;
+    }
     if (!cut_off(corner, edges, &cut)) return fail(self, corner->size);
     choose_plane(held, axes);
     for (unsigned k = 0; k < 2; k++) {
@@ -345,18 +342,6 @@ nck_status_t nck_corner_words(nck_decode_t *self) {
     return NCK_OK;
 }
 
-// The move behind a corner is decoded: the words of its line tell what comes then.
-static nck_status_t take_next(nck_decode_t *self, nck_block_t *out) {
-    nck_corner_t *const corner = &self->held.corner;
-    const int second = (self->words.steps & NCK_STEP(NCK_STEP_REST)) != 0;
-    corner->next = *out;
-    const nck_status_t status = is_plain(self, out) ? join(self, out) : fail(self, corner->size);
-    if (status != NCK_OK) return status;
-    corner->later |= second ? NCK_STEP(NCK_STEP_REST) : 0u;
-    nck_decode_leave(self, NCK_REST_CORNER);
-    return NCK_OK;
-}
-
 // The size that the word says.
 static nck_status_t measure(nck_decode_t *self) {
     nck_corner_t *const corner = &self->held.corner;
@@ -373,51 +358,49 @@ static nck_status_t measure(nck_decode_t *self) {
     return NCK_OK;
 }
 
-// A move of a line with a word: the last one of its line is held.
-static nck_status_t hold(nck_decode_t *self, const nck_block_t *block) {
-    nck_corner_t *const corner = &self->held.corner;
-    double unit[2] = {1.0, 0.0};
-    name_word(self);
-    const int plain = is_plain(self, block) && self->macro.modal == 0
-                      && block->feed_mode != NCK_FEED_INVERSE;
-    if (!plain) return fail(self, corner->size);
-    const double scale = self->layout.on != 0 ? nck_fabs(nck_layout_way(self, unit)) : 1.0;
-    if (nck_fabs(scale - 1.0) > 1e-9) {
-        return nck_decode_fail(self, NCK_E_LAYOUT_ON, corner->column, corner->letter,
-                               corner->size, 0.0);
-    }
-    const nck_status_t status = corner->letter == 'A' ? NCK_OK : measure(self);
-    if (status != NCK_OK) return status;
-    corner->held = *block;
-    corner->word.letter = 0;
-    corner->phase = NCK_CORNER_WAITS;
-    return NCK_EMPTY;
-}
-
 // A block of a line that has a word.
 static nck_status_t take_own(nck_decode_t *self, nck_block_t *out) {
     nck_corner_t *const corner = &self->held.corner;
     const int goes_on = (self->words.steps & NCK_STEP(NCK_STEP_REST)) != 0;
     if (!is_move(out) && out->kind != NCK_BLOCK_RAPID) return NCK_OK;
-    if (!goes_on || self->words.code[NCK_STEP_MOTION] > 30) return hold(self, out);
+    // A move of a line with a word: the last one of its line is held.
+    if (!goes_on || self->words.code[NCK_STEP_MOTION] > 30) {
+        double unit[2] = {1.0, 0.0};
+        name_word(self);
+        const int plain = is_plain(self, out) && self->macro.modal == 0
+                          && out->feed_mode != NCK_FEED_INVERSE;
+        if (!plain) return fail(self, corner->size);
+        const double scale = self->layout.on != 0 ? nck_fabs(nck_layout_way(self, unit)) : 1.0;
+        if (nck_fabs(scale - 1.0) > 1e-9) {
+            return nck_decode_fail(self, NCK_E_LAYOUT_ON, corner->column, corner->letter,
+                                   corner->size, 0.0);
+        }
+        const nck_status_t status = corner->letter == 'A' ? NCK_OK : measure(self);
+        if (status != NCK_OK) return status;
+        corner->held = *out;
+        corner->word.letter = 0;
+        corner->phase = NCK_CORNER_WAITS;
+        return NCK_EMPTY;
+    }
     end_of(out, corner->from_nm); // the first part of an arc
     return NCK_OK;
 }
 
 static nck_status_t take_block(nck_decode_t *self, nck_block_t *out) {
-    const nck_corner_t *const corner = &self->held.corner;
-    if (corner->phase == NCK_CORNER_WAITS) return take_next(self, out);
+    nck_corner_t *const corner = &self->held.corner;
+    // The move behind a corner is decoded: the words of its line tell what comes then.
+    if (corner->phase == NCK_CORNER_WAITS) {
+        const int second = (self->words.steps & NCK_STEP(NCK_STEP_REST)) != 0;
+        corner->next = *out;
+        const nck_status_t status = is_plain(self, out) ? join(self, out)
+                                                        : fail(self, corner->size);
+        if (status != NCK_OK) return status;
+        corner->later |= second ? NCK_STEP(NCK_STEP_REST) : 0u;
+        nck_decode_leave(self, NCK_REST_CORNER);
+        return NCK_OK;
+    }
     const int own = corner->phase == NCK_CORNER_NOT && corner->word.letter != 0;
     return own ? take_own(self, out) : NCK_OK;
-}
-
-// A cycle in place of the move behind a corner is not done: its first block is refused.
-static void drop_cycle(nck_decode_t *self) {
-    self->held.cycle.holes = 0;
-    self->held.turn.left = 0;
-    self->held.peck.phase = 0;
-    self->held.screw.phase = 0;
-    self->held.rough.phase = 0;
 }
 
 nck_status_t nck_corner_take(nck_decode_t *self, nck_status_t status, nck_block_t *out) {
@@ -431,7 +414,14 @@ nck_status_t nck_corner_take(nck_decode_t *self, nck_status_t status, nck_block_
         name_word(self);
         now = fail(self, self->held.corner.size);
     }
-    if (status == NCK_OK && now < NCK_OK) drop_cycle(self);
+    // A cycle in place of the move behind a corner is not done: its first block is refused.
+    if (status == NCK_OK && now < NCK_OK) {
+        self->held.cycle.holes = 0;
+        self->held.turn.left = 0;
+        self->held.peck.phase = 0;
+        self->held.screw.phase = 0;
+        self->held.rough.phase = 0;
+    }
     if (now < NCK_OK || (corner->phase == NCK_CORNER_NOT && !says)) forget(self, now < NCK_OK);
     return now;
 }

@@ -90,19 +90,6 @@ nck_status_t nck_decode_straight(nck_decode_t *self, nck_block_kind_t kind,
     return status;
 }
 
-// pushed: the block that says centre and turns; NULL: the words do.
-static nck_status_t arc(nck_decode_t *self, const nck_block_in_t *pushed, const int64_t *target_nm,
-                        nck_block_t *out) {
-    double feed = 0.0;
-    nck_status_t status = check_targets(self, self->words.axes, target_nm);
-    if (status == NCK_OK) status = nck_decode_cutting_feed(self, 0, &feed);
-    if (status == NCK_OK) status = nck_decode_arc(self, pushed, target_nm, out);
-    arrive(self, target_nm);
-    out->feed = feed;
-    self->second.feed = feed;
-    return status;
-}
-
 // G9: this move alone ends in an exact stop.
 static void stop_exactly(const nck_decode_t *self, nck_block_t *out) {
     if (self->words.codes & NCK_STEP(NCK_STEP_EXACT)) out->path_mode = NCK_PATH_STOP;
@@ -128,7 +115,13 @@ nck_status_t nck_decode_go(nck_decode_t *self, const nck_block_in_t *pushed,
     const int32_t code = self->words.code[NCK_STEP_MOTION];
     nck_status_t status = NCK_OK;
     if (code >= 20) {
-        status = arc(self, pushed, target_nm, out);
+        double feed = 0.0;
+        status = check_targets(self, self->words.axes, target_nm);
+        if (status == NCK_OK) status = nck_decode_cutting_feed(self, 0, &feed);
+        if (status == NCK_OK) status = nck_decode_arc(self, pushed, target_nm, out);
+        arrive(self, target_nm);
+        out->feed = feed;
+        self->second.feed = feed;
     } else {
         const nck_block_kind_t kind = code == 0 ? NCK_BLOCK_RAPID : NCK_BLOCK_LINE;
         const int prints = NCK_HAS_FOREIGN && pushed == NULL && self->tongue == NCK_TONGUE_MARLIN;

@@ -237,20 +237,6 @@ static nck_status_t cubic(nck_decode_t *self) {
     return begin(self, 4);
 }
 
-// G5.1: I J from the start.
-static nck_status_t quadratic(nck_decode_t *self) {
-    int64_t target_nm[NCK_AXIS_MAX];
-    self->held.spline.points = 0;
-    nck_status_t status = need(self, 'I', 'J');
-    if (status == NCK_OK) status = read_target(self, target_nm);
-    if (status != NCK_OK) return status;
-    add_point(self, self->place.position_nm, 1.0);
-    status = add_beside(self, self->place.position_nm, 'I', 'J');
-    if (status != NCK_OK) return status;
-    add_point(self, target_nm, 1.0);
-    return begin(self, 3);
-}
-
 static nck_status_t read_order(nck_decode_t *self, int first) {
     int64_t order = first ? DEFAULT_ORDER : (int64_t)self->held.spline.order;
     const nck_status_t status = nck_decode_whole(self, 'L', NCK_SPLINE_ORDER_MOST, order, &order);
@@ -316,7 +302,18 @@ static nck_status_t read_spline(nck_decode_t *self) {
     if (self->words.axes == 0) {
         return nck_motion_fail(self, NCK_E_WORD_MISSING, 'X', code / 10.0, 0.0);
     }
-    return code == NCK_MOTION_CUBIC ? cubic(self) : quadratic(self);
+    if (code == NCK_MOTION_CUBIC) return cubic(self);
+    // G5.1: I J from the start.
+    int64_t target_nm[NCK_AXIS_MAX];
+    self->held.spline.points = 0;
+    nck_status_t status = need(self, 'I', 'J');
+    if (status == NCK_OK) status = read_target(self, target_nm);
+    if (status != NCK_OK) return status;
+    add_point(self, self->place.position_nm, 1.0);
+    status = add_beside(self, self->place.position_nm, 'I', 'J');
+    if (status != NCK_OK) return status;
+    add_point(self, target_nm, 1.0);
+    return begin(self, 3);
 }
 
 nck_status_t nck_decode_spline(nck_decode_t *self, nck_block_t *out) {

@@ -114,18 +114,6 @@ nck_status_t nck_decode_start_angle(nck_decode_t *self, float *turn_out) {
     return NCK_OK;
 }
 
-// The lead counts along the path; in Fanuc's language along the axis that moves further.
-static double measure(const nck_decode_t *self, const int64_t *end_nm) {
-    double sum = 0.0;
-    double most = 0.0;
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        const double d = (double)(end_nm[x] - self->place.position_nm[x]) * 1e-6;
-        sum += d * d;
-        most = nck_max(most, nck_fabs(d));
-    }
-    return self->lathe ? most : nck_sqrt(sum);
-}
-
 nck_status_t nck_decode_single_pass(nck_decode_t *self, nck_block_t *out) {
     if (!NCK_HAS_THREADS) return NCK_E_UNSUPPORTED;
     nck_thread_t thread = {0};
@@ -142,7 +130,15 @@ nck_status_t nck_decode_single_pass(nck_decode_t *self, nck_block_t *out) {
         self->modal.motion = NCK_MOTION_REFUSED; // one mistake, one finding
         return status;
     }
-    thread.length = measure(self, end_nm);
+    // The lead counts along the path; in Fanuc's language along the axis that moves further.
+    double sum = 0.0;
+    double most = 0.0;
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        const double d = (double)(end_nm[x] - self->place.position_nm[x]) * 1e-6;
+        sum += d * d;
+        most = nck_max(most, nck_fabs(d));
+    }
+    thread.length = self->lathe ? most : nck_sqrt(sum);
     if (!(thread.length > 0.0)) return NCK_EMPTY;
     return nck_decode_pass(self, end_nm, &thread, out);
 }
