@@ -36,13 +36,6 @@ static const char *skip_blanks(const char *at) {
     return at;
 }
 
-// Read the sign, if there is one. Returns what follows it.
-static const char *read_sign(const char *at, nck_number_t *out) {
-    at = skip_blanks(at);
-    out->negative = *at == '-';
-    return *at == '-' || *at == '+' ? skip_blanks(at + 1) : at;
-}
-
 static int16_t bounded_decimals(int decimals) {
     if (decimals < DECIMALS_MIN) return DECIMALS_MIN;
     return decimals > DECIMALS_MAX ? DECIMALS_MAX : (int16_t)decimals;
@@ -102,7 +95,9 @@ static const char *read_any(const char *at, nck_number_t *out) {
 }
 
 const char *nck_number_read(const char *text, const char *at, nck_number_t *out) {
-    const char *const first = read_sign(at, out);
+    at = skip_blanks(at);
+    out->negative = *at == '-';
+    const char *const first = *at == '-' || *at == '+' ? skip_blanks(at + 1) : at;
     const char *next = read_plain(first, out);
     if (!next) next = read_any(first, out);
     out->first = (uint16_t)(first - text);
