@@ -344,21 +344,6 @@ static nck_status_t rotate(nck_decode_t *self) {
     return NCK_OK;
 }
 
-// Polar coordinates begin where the axes stand.
-static void begin_polar(nck_decode_t *self) {
-    nck_layout_t *const layout = &self->layout;
-    int64_t at_nm[3];
-    unsigned u, v;
-    nck_layout_where(self, at_nm);
-    nck_plane_axes(self, &u, &v);
-    const double a = (double)at_nm[u];
-    const double b = (double)at_nm[v];
-    memset(layout->pole_nm, 0, sizeof layout->pole_nm);
-    layout->radius = nck_sqrt(a * a + b * b);
-    layout->angle = nck_atan2(b, a) * 180.0 / NCK_PI;
-    layout->on |= NCK_LAYOUT_POLAR;
-}
-
 // What ends, in its order.
 static nck_status_t end(nck_decode_t *self, uint32_t codes) {
     nck_layout_t *const layout = &self->layout;
@@ -388,6 +373,19 @@ nck_status_t nck_decode_layout(nck_decode_t *self, nck_block_t *out) {
     if (status == NCK_OK && (codes & NCK_LAYOUT_G51)) status = scale(self);
     if (status == NCK_OK && (codes & NCK_LAYOUT_G68)) status = rotate(self);
     nck_layout_name(self);
-    if (status == NCK_OK && (codes & NCK_LAYOUT_G16)) begin_polar(self);
+    // Polar coordinates begin where the axes stand.
+    if (status == NCK_OK && (codes & NCK_LAYOUT_G16)) {
+        nck_layout_t *const layout = &self->layout;
+        int64_t at_nm[3];
+        unsigned u, v;
+        nck_layout_where(self, at_nm);
+        nck_plane_axes(self, &u, &v);
+        const double a = (double)at_nm[u];
+        const double b = (double)at_nm[v];
+        memset(layout->pole_nm, 0, sizeof layout->pole_nm);
+        layout->radius = nck_sqrt(a * a + b * b);
+        layout->angle = nck_atan2(b, a) * 180.0 / NCK_PI;
+        layout->on |= NCK_LAYOUT_POLAR;
+    }
     return status == NCK_OK ? NCK_EMPTY : status;
 }

@@ -29,11 +29,6 @@ static nck_status_t set_length(nck_decode_t *self) {
     return NCK_EMPTY;
 }
 
-static nck_status_t fail_length(nck_decode_t *self) {
-    return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_LENGTH, 'H',
-                                self->words.code[NCK_STEP_LENGTH] / 10.0, 0.0);
-}
-
 // The offset of a tool, NULL: none, comes in place of the one in force; G43.2: on top of it.
 static void take_length(nck_decode_t *self, const nck_tool_t *tool) {
     const int adds = self->words.code[NCK_STEP_LENGTH] == 432;
@@ -69,7 +64,10 @@ nck_status_t nck_decode_length(nck_decode_t *self, nck_block_t *out) {
     (void)out;
     if (code == 431) return set_length(self);
     const int needs_h = code == 432 || (code == 430 && self->tongue == NCK_TONGUE_FANUC);
-    if (needs_h && !has_h) return fail_length(self);
+    if (needs_h && !has_h) {
+        return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_LENGTH, 'H',
+                                    self->words.code[NCK_STEP_LENGTH] / 10.0, 0.0);
+    }
     nck_status_t status = nck_decode_whole(self, 'H', NCK_DECODE_VALUE_MAX, number, &number);
     nck_tool_t tool;
     if (status == NCK_OK) status = find_length(self, number, &tool);
@@ -101,30 +99,28 @@ static nck_status_t read_further_number(nck_decode_t *self, int64_t most, uint32
     return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'P', 0.0, (double)most);
 }
 
-// Fanuc's G54.1 P, G54 P; Haas' G154 P, and G110 …, which are its first ones.
-static nck_status_t take_further(nck_decode_t *self, unsigned code) {
-    uint32_t number = (code - G110) / 10 + 1;
-    if (code < G110 || code == G154) {
-        if (!(self->words.letters & NCK_LETTER('P'))) {
-            return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_WORK, 'P', 0.0, 0.0);
-        }
-        const int64_t most = code == G154 ? G154_MOST : NCK_WORK_MOST;
-        const nck_status_t status = read_further_number(self, most, &number);
-        if (status != NCK_OK) return status;
-    }
-    read_further(self, number, self->place.work_nm[NCK_WORK_SYSTEMS]);
-    self->place.work_system = NCK_WORK_SYSTEMS;
-    self->place.work_more = number;
-    nck_decode_origin(self);
-    return NCK_EMPTY;
-}
-
 nck_status_t nck_decode_work(nck_decode_t *self, nck_block_t *out) {
     const unsigned code = self->words.code[NCK_STEP_WORK];
     const int fanuc = (self->tongue & NCK_TONGUES_FANUC) != 0;
     const int says = code == G54 && fanuc && (self->words.letters & NCK_LETTER('P'));
     (void)out;
-    if (code == G54_1 || code >= G110 || says) return take_further(self, code);
+    // Fanuc's G54.1 P, G54 P; Haas' G154 P, and G110 …, which are its first ones.
+    if (code == G54_1 || code >= G110 || says) {
+        uint32_t number = (code - G110) / 10 + 1;
+        if (code < G110 || code == G154) {
+            if (!(self->words.letters & NCK_LETTER('P'))) {
+                return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_WORK, 'P', 0.0, 0.0);
+            }
+            const int64_t most = code == G154 ? G154_MOST : NCK_WORK_MOST;
+            const nck_status_t status = read_further_number(self, most, &number);
+            if (status != NCK_OK) return status;
+        }
+        read_further(self, number, self->place.work_nm[NCK_WORK_SYSTEMS]);
+        self->place.work_system = NCK_WORK_SYSTEMS;
+        self->place.work_more = number;
+        nck_decode_origin(self);
+        return NCK_EMPTY;
+    }
     self->place.work_system = code <= 590 ? (code - 540) / 10 : code - 590 + 5;
     nck_decode_origin(self);
     return NCK_EMPTY;

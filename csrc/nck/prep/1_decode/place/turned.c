@@ -17,8 +17,14 @@ void nck_turned_set(nck_decode_t *self, uint32_t system, double degrees) {
     self->place.turn_deg[system] = degrees - 360.0 * nck_floor(degrees / 360.0);
 }
 
-// What holds for the work system in force.
-static void renew(nck_decode_t *self) {
+void nck_decode_origin(nck_decode_t *self) {
+    const int64_t *const work = self->place.work_nm[self->place.work_system];
+    for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
+        const int64_t tool = axis < 3 ? self->place.tool_nm[axis] : 0;
+        self->place.origin_nm[axis] =
+            self->place.outer_nm[axis] + work[axis] + self->place.g92_nm[axis] + tool;
+    }
+    // What holds for the work system in force.
     nck_layout_t *const layout = &self->layout;
     if (!NCK_HAS_LAYOUTS || self->tongue != NCK_TONGUE_LINUXCNC) return;
     const double degrees = nck_turned_by(self, self->place.work_system);
@@ -29,16 +35,6 @@ static void renew(nck_decode_t *self) {
     layout->turn_nm[1] = -self->place.g92_nm[NCK_AXIS_Y];
     layout->on = NCK_LAYOUT_TURN | NCK_LAYOUT_SYSTEM;
     nck_layout_name(self);
-}
-
-void nck_decode_origin(nck_decode_t *self) {
-    const int64_t *const work = self->place.work_nm[self->place.work_system];
-    for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
-        const int64_t tool = axis < 3 ? self->place.tool_nm[axis] : 0;
-        self->place.origin_nm[axis] =
-            self->place.outer_nm[axis] + work[axis] + self->place.g92_nm[axis] + tool;
-    }
-    renew(self);
 }
 
 int64_t nck_turned_place(const nck_decode_t *self, unsigned axis) {
