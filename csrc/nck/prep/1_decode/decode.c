@@ -204,28 +204,6 @@ static nck_status_t fail_missing(nck_decode_t *self) {
     return fail_line(self, status);
 }
 
-// The text is used up.
-static nck_status_t finish(nck_decode_t *self, nck_block_t *out) {
-    if (waits_for_lines(self)) return fail_missing(self);
-    if (!self->text.words) {
-        return fail_line(self, fail_last(self, NCK_E_NO_PROGRAM, 0.0));
-    }
-    nck_decode_assume(self, NCK_NOTE_NO_END);
-    return give_end(self, out);
-}
-
-// The closing % has been read, or (abort, …).
-static nck_status_t close_program(nck_decode_t *self, nck_block_t *out) {
-    release_line(self);
-    if (waits_for_lines(self)) return fail_missing(self);
-    if (!self->text.words) return fail_line(self, fail_last(self, NCK_E_NO_PROGRAM, 0.0));
-    const int watches = self->text.closed == NCK_CLOSED_BY_PERCENT;
-    self->text.watch = (uint8_t)watches;
-    const nck_status_t status = give_end(self, out);
-    if (watches) nck_decode_watch(self);
-    return status;
-}
-
 // The line that waits, or the block in its place, is taken into work.
 static nck_status_t begin_line(nck_decode_t *self) {
     const uint8_t state = self->line.state;
@@ -250,7 +228,13 @@ static nck_status_t next_line(nck_decode_t *self, nck_block_t *out) {
         macro->idle += macro->seek.kind == NCK_SEEK_NOT;
         if (self->line.state != NCK_LINE_OPEN) return NCK_OK;
     }
-    if (macro->seek.kind == NCK_SEEK_NOT) return finish(self, out);
+    // The text is used up.
+    if (macro->seek.kind == NCK_SEEK_NOT) {
+        if (waits_for_lines(self)) return fail_missing(self);
+        if (!self->text.words) return fail_line(self, fail_last(self, NCK_E_NO_PROGRAM, 0.0));
+        nck_decode_assume(self, NCK_NOTE_NO_END);
+        return give_end(self, out);
+    }
     const nck_status_t status = nck_seek_wrap(self);
     return status == NCK_OK ? NCK_EMPTY : fail_line(self, status);
 }
@@ -301,7 +285,17 @@ static nck_status_t fail_entry(nck_decode_t *self, nck_status_t status) {
 // The line in work, or the one that waits.
 static nck_status_t do_line(nck_decode_t *self, nck_block_t *out) {
     nck_status_t status = begin_line(self);
-    if (status == NCK_OK && self->text.closed) return close_program(self, out);
+    // The closing % has been read, or (abort, …).
+    if (status == NCK_OK && self->text.closed) {
+        release_line(self);
+        if (waits_for_lines(self)) return fail_missing(self);
+        if (!self->text.words) return fail_line(self, fail_last(self, NCK_E_NO_PROGRAM, 0.0));
+        const int watches = self->text.closed == NCK_CLOSED_BY_PERCENT;
+        self->text.watch = (uint8_t)watches;
+        status = give_end(self, out);
+        if (watches) nck_decode_watch(self);
+        return status;
+    }
     if (status == NCK_OK) status = run_steps(self, out);
     if (is_watched(self)) {
         const nck_status_t now = pass_corner(self, status, out);
@@ -353,8 +347,9 @@ static nck_status_t pull_block(nck_decode_t *self, nck_block_t *block_out) {
     return pull_line(self, block_out);
 }
 
-// The same of a program that begins in the middle: what comes before is passed.
-static nck_status_t pull_entry(nck_decode_t *self, nck_block_t *out) {
+static nck_status_t pull_any(nck_decode_t *self, nck_block_t *out) {
+    if (self->entry.waits == 0) return pull_block(self, out);
+    // The same of a program that begins in the middle: what comes before is passed.
     nck_status_t status = NCK_EMPTY;
     do {
         nck_entry_begin(self);
@@ -366,10 +361,6 @@ static nck_status_t pull_entry(nck_decode_t *self, nck_block_t *out) {
         }
     } while (status == NCK_EMPTY && self->line.state == NCK_LINE_RUNNING);
     return status;
-}
-
-static nck_status_t pull_any(nck_decode_t *self, nck_block_t *out) {
-    return self->entry.waits != 0 ? pull_entry(self, out) : pull_block(self, out);
 }
 
 // NCK_EMPTY: pull again.
@@ -390,19 +381,6 @@ static nck_status_t try_line(nck_decode_t *self, nck_block_t *out) {
     return NCK_EMPTY;
 }
 
-// The line is done. What leaves nothing in force has moved the axes, and that is all.
-static void end_line(nck_decode_t *self) {
-    if (self->session.passes && self->session.phase == NCK_SESSION_DOES) {
-        int64_t position_nm[NCK_AXIS_MAX];
-        memcpy(position_nm, self->place.position_nm, sizeof position_nm);
-        nck_session_go_back(self);
-        memcpy(self->place.position_nm, position_nm, sizeof position_nm);
-        release_line(self);
-        self->session.passes = 0;
-    }
-    self->session.phase = NCK_SESSION_NOT;
-}
-
 // In a session, of a line that is no quick one: tried, then done.
 static nck_status_t pull_session(nck_decode_t *self, nck_block_t *out) {
     const int waits =
@@ -413,7 +391,18 @@ static nck_status_t pull_session(nck_decode_t *self, nck_block_t *out) {
     }
     if (self->session.phase == NCK_SESSION_TRIES) return try_line(self, out);
     const nck_status_t status = pull_any(self, out);
-    if (self->line.state == NCK_LINE_OPEN) end_line(self);
+    // The line is done. What leaves nothing in force has moved the axes, and that is all.
+    if (self->line.state == NCK_LINE_OPEN) {
+        if (self->session.passes && self->session.phase == NCK_SESSION_DOES) {
+            int64_t position_nm[NCK_AXIS_MAX];
+            memcpy(position_nm, self->place.position_nm, sizeof position_nm);
+            nck_session_go_back(self);
+            memcpy(self->place.position_nm, position_nm, sizeof position_nm);
+            release_line(self);
+            self->session.passes = 0;
+        }
+        self->session.phase = NCK_SESSION_NOT;
+    }
     return status;
 }
 
