@@ -55,22 +55,6 @@ static int follows_last(nck_toolcomp_t *self) {
     return nck_comp_is_given(self, count) || nck_comp_at(self, count)->on[NCK_COMP_BESIDE];
 }
 
-static void note_last(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
-    const nck_shape_t *const contour = &entry->contour;
-    const int first = !entry->enters && self->last.begins == 0;
-    entry->clear = first && self->last.rapid;
-    if (first) {
-        self->last.begins = entry->block.line;
-        memcpy(self->last.first, contour->p, sizeof self->last.first);
-        self->last.height = entry->height;
-        nck_shape_tangent(contour, 0.0, self->last.ahead);
-    }
-    nck_shape_tangent(contour, contour->length, self->last.tangent);
-    self->last.count = self->ring.head;
-    self->last.line = entry->block.line;
-    self->last.rapid = entry->rapid;
-}
-
 // The path is led along the newest contour. What is done with cannot be cut short for it any more.
 static nck_status_t follow(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
     const int follows = !entry->enters && follows_last(self); // before it nothing is led
@@ -87,7 +71,19 @@ static nck_status_t follow(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
         }
     }
     nck_comp_join(self, self->ring.head, follows);
-    note_last(self, entry);
+    const nck_shape_t *const contour = &entry->contour;
+    const int first = !entry->enters && self->last.begins == 0;
+    entry->clear = first && self->last.rapid;
+    if (first) {
+        self->last.begins = entry->block.line;
+        memcpy(self->last.first, contour->p, sizeof self->last.first);
+        self->last.height = entry->height;
+        nck_shape_tangent(contour, 0.0, self->last.ahead);
+    }
+    nck_shape_tangent(contour, contour->length, self->last.tangent);
+    self->last.count = self->ring.head;
+    self->last.line = entry->block.line;
+    self->last.rapid = entry->rapid;
     return NCK_EMPTY;
 }
 

@@ -9,14 +9,6 @@
 
 #define PER_MINUTE 60.0 // seconds
 
-// The place of the tool's point in the plane.
-static void target(nck_toolcomp_t *self, const double *centre, int64_t *target_nm) {
-    for (unsigned k = 0; k < 2; k++) {
-        const double place = (centre[k] + self->nose[k]) * 1e6;
-        target_nm[self->axis[k]] = nck_rounded(place);
-    }
-}
-
 // ---- travel
 
 static nck_status_t check_place(nck_toolcomp_t *self, const nck_block_t *block, unsigned k,
@@ -155,7 +147,11 @@ nck_status_t nck_comp_give(nck_toolcomp_t *self, nck_block_t *out) {
     self->walk.along = to;
     *out = entry->block;
     share_others(self, &entry->block, joins || apart ? 0.0 : share, out);
-    target(self, self->at, out->target_nm);
+    // The place of the tool's point in the plane.
+    for (unsigned k = 0; k < 2; k++) {
+        const double place = (self->at[k] + self->nose[k]) * 1e6;
+        out->target_nm[self->axis[k]] = nck_rounded(place);
+    }
     if (!has_length(self, out)) return NCK_EMPTY;
     nck_status_t status = form(self, piece, bends, out);
     if (joins) feed_corner(self, entry, piece->shape.length, out);
