@@ -182,26 +182,30 @@ static nck_status_t fail_line(nck_decode_t *self, nck_status_t status) {
     return status;
 }
 
-static nck_status_t give_end(nck_decode_t *self, nck_block_t *out) {
-    nck_decode_block(self, NCK_BLOCK_END, out);
-    out->output.kind = NCK_OUTPUT_M;
-    out->output.value = 2.0;
-    self->text.over = 1;
-    return NCK_OK;
-}
-
 // Lines are to come: of a contour, a corner or a spline.
 static int waits_for_lines(const nck_decode_t *self) {
     return is_watched(self) || nck_spline_waits(self);
 }
 
-// The text ends while they do.
-static nck_status_t fail_missing(nck_decode_t *self) {
-    nck_status_t status = NCK_OK;
-    if (!is_watched(self)) status = nck_spline_missing(self);
-    else if (has_contour(self)) status = nck_contour_missing(self);
-    else status = nck_corner_missing(self);
-    return fail_line(self, status);
+// The text is used up, or what closes it has been read: % or (abort, …).
+static nck_status_t end_program(nck_decode_t *self, int closes, nck_block_t *out) {
+    if (waits_for_lines(self)) {
+        nck_status_t status = NCK_OK;
+        if (!is_watched(self)) status = nck_spline_missing(self);
+        else if (has_contour(self)) status = nck_contour_missing(self);
+        else status = nck_corner_missing(self);
+        return fail_line(self, status);
+    }
+    if (!self->text.words) return fail_line(self, fail_last(self, NCK_E_NO_PROGRAM, 0.0));
+    if (!closes) nck_decode_assume(self, NCK_NOTE_NO_END);
+    nck_decode_block(self, NCK_BLOCK_END, out);
+    out->output.kind = NCK_OUTPUT_M;
+    out->output.value = 2.0;
+    self->text.over = 1;
+    if (!closes) return NCK_OK;
+    self->text.watch = self->text.closed == NCK_CLOSED_BY_PERCENT;
+    if (self->text.watch) nck_decode_watch(self);
+    return NCK_OK;
 }
 
 // The line that waits, or the block in its place, is taken into work.
@@ -228,13 +232,7 @@ static nck_status_t next_line(nck_decode_t *self, nck_block_t *out) {
         macro->idle += macro->seek.kind == NCK_SEEK_NOT;
         if (self->line.state != NCK_LINE_OPEN) return NCK_OK;
     }
-    // The text is used up.
-    if (macro->seek.kind == NCK_SEEK_NOT) {
-        if (waits_for_lines(self)) return fail_missing(self);
-        if (!self->text.words) return fail_line(self, fail_last(self, NCK_E_NO_PROGRAM, 0.0));
-        nck_decode_assume(self, NCK_NOTE_NO_END);
-        return give_end(self, out);
-    }
+    if (macro->seek.kind == NCK_SEEK_NOT) return end_program(self, 0, out);
     const nck_status_t status = nck_seek_wrap(self);
     return status == NCK_OK ? NCK_EMPTY : fail_line(self, status);
 }
@@ -285,16 +283,9 @@ static nck_status_t fail_entry(nck_decode_t *self, nck_status_t status) {
 // The line in work, or the one that waits.
 static nck_status_t do_line(nck_decode_t *self, nck_block_t *out) {
     nck_status_t status = begin_line(self);
-    // The closing % has been read, or (abort, …).
     if (status == NCK_OK && self->text.closed) {
         release_line(self);
-        if (waits_for_lines(self)) return fail_missing(self);
-        if (!self->text.words) return fail_line(self, fail_last(self, NCK_E_NO_PROGRAM, 0.0));
-        const int watches = self->text.closed == NCK_CLOSED_BY_PERCENT;
-        self->text.watch = (uint8_t)watches;
-        status = give_end(self, out);
-        if (watches) nck_decode_watch(self);
-        return status;
+        return end_program(self, 1, out);
     }
     if (status == NCK_OK) status = run_steps(self, out);
     if (is_watched(self)) {
