@@ -64,6 +64,14 @@ static nck_status_t read_value(nck_decode_t *self, const char **at, nck_number_t
     return nck_value_is(value) ? NCK_OK : NCK_EMPTY;
 }
 
+// The number behind a letter, as it is written or as a value.
+static nck_status_t read_number(nck_decode_t *self, const char **at, nck_number_t *out) {
+    const char *const next = nck_number_read(self->line.text, *at + 1, out);
+    if (next == NULL) return read_value(self, at, out);
+    *at = next;
+    return NCK_OK;
+}
+
 // What is neither a letter nor a blank nor a comment.
 static nck_status_t fail_character(nck_decode_t *self, const char *at) {
     const char c = *at;
@@ -103,7 +111,6 @@ static const char *behind_code(const nck_decode_t *self, const char *at, unsigne
     return may ? nck_printer_text(self, at, step) : at;
 }
 
-// G and M codes: sorted into the step that executes them.
 // The code of a letter and its number: what it is called here, its step and what it takes.
 static nck_status_t find_code(const nck_decode_t *self, int letter, const nck_number_t *number,
                               int64_t *tenths, unsigned *step, uint32_t *takes) {
@@ -114,16 +121,7 @@ static nck_status_t find_code(const nck_decode_t *self, int letter, const nck_nu
     return nck_decode_code(self, letter, *tenths, step, takes);
 }
 
-// Its number, as it is written or as a value.
-static nck_status_t read_code_number(nck_decode_t *self, const char **at, nck_number_t *out) {
-    const int prints = self->tongue == NCK_TONGUE_MARLIN;
-    const char *next = prints ? nck_printer_code(*at, out) : NULL;
-    if (next == NULL) next = nck_number_read(self->line.text, *at + 1, out);
-    if (next == NULL) return read_value(self, at, out);
-    *at = next;
-    return NCK_OK;
-}
-
+// G and M codes: sorted into the step that executes them.
 static nck_status_t read_code(nck_decode_t *self, const char **at) {
     nck_words_t *const words = &self->words;
     const unsigned column = column_of(self, *at);
@@ -133,7 +131,11 @@ static nck_status_t read_code(nck_decode_t *self, const char **at) {
     unsigned step = 0;
     uint32_t takes = 0;
 
-    nck_status_t status = read_code_number(self, at, &number);
+    const char *const printed = self->tongue == NCK_TONGUE_MARLIN ? nck_printer_code(*at, &number)
+                                                                  : NULL;
+    nck_status_t status = NCK_OK;
+    if (printed != NULL) *at = printed;
+    else status = read_number(self, at, &number);
     if (status != NCK_OK) return status;
     status = find_code(self, letter, &number, &tenths, &step, &takes);
     if (status == NCK_OK && step == NCK_STEP_COUNT) return NCK_OK; // it ends what is not built
@@ -158,17 +160,8 @@ static nck_status_t read_argument(nck_decode_t *self, const char **at) {
     unsigned place = 0;
     nck_status_t status = nck_argument_place(self, first, &place);
     if (status != NCK_OK) return status;
-    *at = nck_number_read(self->line.text, first + 1, &number);
-    if (*at == NULL) {
-        *at = first;
-        status = read_value(self, at, &number);
-    }
+    status = read_number(self, at, &number);
     return status == NCK_OK ? nck_argument_keep(self, first, place, &number) : status;
-}
-
-static int is_argument(const nck_words_t *words, char letter) {
-    const int calls = (words->codes & NCK_STEP(NCK_STEP_CALL)) != 0; // plain lines ask no more
-    return calls && letter >= 'I' && letter <= 'K' && nck_words_are_arguments(words);
 }
 
 static nck_status_t read_word(nck_decode_t *self, const char **at) {
@@ -186,13 +179,12 @@ static nck_status_t read_word(nck_decode_t *self, const char **at) {
         ++*at;
         return NCK_EMPTY;
     }
-    if (is_argument(words, letter)) return read_argument(self, at);
-    *at = nck_number_read(self->line.text, first + 1, &words->number[index]);
-    if (*at == NULL) {
-        *at = first;
-        const nck_status_t status = read_value(self, at, &words->number[index]);
-        if (status != NCK_OK) return status;
+    const int calls = (words->codes & NCK_STEP(NCK_STEP_CALL)) != 0; // plain lines ask no more
+    if (calls && letter >= 'I' && letter <= 'K' && nck_words_are_arguments(words)) {
+        return read_argument(self, at);
     }
+    const nck_status_t status = read_number(self, at, &words->number[index]);
+    if (status != NCK_OK) return status;
     if (words->letters & NCK_LETTER(letter)) {
         return nck_decode_fail(self, NCK_E_WORD_TWICE, column_of(self, first), letter, 0.0, 0.0);
     }
@@ -211,12 +203,9 @@ static nck_status_t read_corner(nck_decode_t *self, const char **at) {
     if (!nck_corner_speaks(self) || (letter != 'R' && letter != 'C' && !slants)) {
         return fail_character(self, first);
     }
-    *at = nck_number_read(self->line.text, word + 1, &number);
-    if (*at == NULL) {
-        *at = word;
-        const nck_status_t status = read_value(self, at, &number);
-        if (status != NCK_OK) return status;
-    }
+    *at = word;
+    const nck_status_t status = read_number(self, at, &number);
+    if (status != NCK_OK) return status;
     if (slants) return nck_slant_keep(self, column_of(self, word), &number);
     if (self->held.corner.word.letter != 0) {
         return nck_decode_fail(self, NCK_E_WORD_TWICE, column_of(self, word), letter, 0.0, 0.0);
@@ -227,10 +216,8 @@ static nck_status_t read_corner(nck_decode_t *self, const char **at) {
 
 // Fanuc's / in the middle: what stands behind it may be skipped.
 static nck_status_t skip_rest(nck_decode_t *self, const char **at) {
-    const char *behind = *at;
     if (!(self->tongue & NCK_TONGUES_FANUC)) return fail_character(self, *at);
-    const int skips = nck_decode_skips(self, &behind);
-    *at = skips ? self->line.text + self->line.size : behind;
+    if (nck_decode_skips(self, at)) *at = self->line.text + self->line.size;
     return NCK_OK;
 }
 
