@@ -106,13 +106,11 @@ static nck_status_t read_rest(nck_decode_t *self) {
     int64_t peck_nm = cycle->peck_nm;
     if (said & NCK_LETTER('Q')) {
         if (nck_decode_asks_unit(self, 'Q')) {
-            return nck_decode_fail_word(self, NCK_E_SCALE_UNIT, 'Q', nck_decode_said(self, 'Q'),
-                                        0.0);
+            return nck_decode_fail_word(self, NCK_E_SCALE_UNIT, 'Q', nck_word_real(self, 'Q'), 0.0);
         }
         status = nck_decode_length_word(self, 'Q', &peck_nm);
         if (status == NCK_OK && peck_nm <= 0) {
-            status = nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'Q',
-                                          nck_decode_said(self, 'Q'), 0.0);
+            status = nck_decode_fail_range(self, 'Q', 0.0);
         }
         if (status == NCK_OK) cycle->peck_nm = peck_nm;
     }
@@ -290,7 +288,7 @@ static nck_status_t begin(nck_decode_t *self) {
         memcpy(self->place.position_nm, last_nm, sizeof last_nm);
         return status;
     }
-    if (self->macro.modal != 0) nck_decode_moved(self);
+    nck_decode_moved(self);
     cycle->holes = (uint32_t)count;
     cycle->phase = PHASE_TURN;
     return NCK_OK;

@@ -21,7 +21,7 @@ static nck_status_t read_r(nck_decode_t *self, int steps) {
     }
     const nck_status_t status = nck_decode_length_word(self, 'R', &cycle->r_nm);
     if (status == NCK_OK && away && cycle->r_nm > 0) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'R', nck_decode_said(self, 'R'), 0.0);
+        return nck_decode_fail_range(self, 'R', 0.0);
     }
     if (steps || away) cycle->r_nm += cycle->initial_nm;
     cycle->said |= NCK_LETTER('R');

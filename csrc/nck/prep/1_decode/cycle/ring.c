@@ -19,16 +19,14 @@ static const double angle_most = 3600.0;
 static nck_status_t read_angle(nck_decode_t *self, char letter, double *angle_out) {
     *angle_out = nck_has_word(self, letter) ? nck_decode_real_word(self, letter) : 0.0;
     if (*angle_out >= -angle_most && *angle_out <= angle_most) return NCK_OK;
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_decode_said(self, letter),
-                                angle_most);
+    return nck_decode_fail_range(self, letter, angle_most);
 }
 
 static nck_status_t read_words(nck_decode_t *self, int whole, int64_t *count_out) {
     nck_cycle_t *const cycle = &self->held.cycle;
     nck_status_t status = nck_decode_length_word(self, 'I', &cycle->ring_nm);
     if (status == NCK_OK && cycle->ring_nm <= 0) {
-        status = nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'I', nck_decode_said(self, 'I'),
-                                      0.0);
+        status = nck_decode_fail_range(self, 'I', 0.0);
     }
     if (status == NCK_OK) status = nck_decode_whole(self, 'L', HOLES_MOST, 0, count_out);
     if (status == NCK_OK) status = read_angle(self, 'J', &cycle->ring_angle);

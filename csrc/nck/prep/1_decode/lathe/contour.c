@@ -87,8 +87,7 @@ nck_status_t nck_contour_words(nck_decode_t *self) {
     const nck_status_t status = nck_decode_length_word(self, letter, size_nm);
     if (status != NCK_OK) return status;
     if (*size_nm <= 0) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter,
-                                    nck_decode_said(self, letter), 0.0);
+        return nck_decode_fail_range(self, letter, 0.0);
     }
     if (letter == 'C') *size_nm = -*size_nm;
     words->letters &= ~said;

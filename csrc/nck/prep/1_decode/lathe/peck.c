@@ -37,7 +37,7 @@ static nck_status_t read_step(nck_decode_t *self, unsigned k, int64_t *step_out)
     const nck_status_t status = said == other ? nck_decode_length_word(self, said, step_out)
                                               : read_increments(self, said, step_out);
     if (status != NCK_OK || *step_out > 0) return status;
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, said, nck_decode_said(self, said), 0.0);
+    return nck_decode_fail_range(self, said, 0.0);
 }
 
 // X and Z; what is not said stays: one row, or in it nothing to cut.
@@ -74,7 +74,7 @@ static nck_status_t keep_back(nck_decode_t *self) {
     if (!nck_has_word(self, 'R')) return fail_missing(self, 'R');
     const nck_status_t status = nck_decode_length_word(self, 'R', &back_nm);
     if (status == NCK_OK && back_nm < 0) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'R', nck_decode_said(self, 'R'), 0.0);
+        return nck_decode_fail_range(self, 'R', 0.0);
     }
     if (status == NCK_OK) self->held.peck.back_nm = back_nm;
     return status;
@@ -94,7 +94,7 @@ static nck_status_t begin(nck_decode_t *self) {
     if (status == NCK_OK) status = read_steps(self);
     if (status == NCK_OK) status = nck_decode_cutting_feed(self, 0, &peck->feed);
     if (status != NCK_OK) return status;
-    if (self->macro.modal != 0) nck_decode_moved(self);
+    nck_decode_moved(self);
     peck->cut_nm = peck->start_nm[peck->along];
     peck->phase = PHASE_CUT;
     return NCK_OK;

@@ -21,25 +21,19 @@ static nck_status_t fail_missing(nck_decode_t *self, int letter) {
     return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_MOTION, letter, 0.0, 0.0);
 }
 
-static nck_status_t fail_range(nck_decode_t *self, int letter, double limit) {
-    const nck_number_t *const word = &self->words.number[letter - 'A'];
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_number_real(word), limit);
-}
-
 // A length with a sign, or one that has none: more than 0, or 0 too. It stays if it is not said.
 static nck_status_t read_length(nck_decode_t *self, char letter, int64_t least_nm, int64_t *out) {
     if (!nck_has_word(self, letter)) return NCK_OK;
     const nck_status_t status = nck_decode_length_word(self, letter, out);
     if (status != NCK_OK || *out >= least_nm) return status;
-    return fail_range(self, letter, 0.0);
+    return nck_decode_fail_range(self, letter, 0.0);
 }
 
 // Fanuc's D counts least increments where it has no point, and who wrote it may have meant lengths.
 static nck_status_t read_depth(nck_decode_t *self, int64_t *out) {
-    const nck_number_t *const word = &self->words.number['D' - 'A'];
     if (!nck_has_word(self, 'D')) return NCK_OK;
     if (nck_decode_says_point(self, 'D')) return read_length(self, 'D', 1, out);
-    return nck_decode_fail_word(self, NCK_E_CONTOUR, 'D', nck_number_real(word), 0.0);
+    return nck_decode_fail_word(self, NCK_E_CONTOUR, 'D', nck_word_real(self, 'D'), 0.0);
 }
 
 // ---- Fanuc's first line: what holds for the cycles behind it
@@ -51,7 +45,7 @@ static nck_status_t keep_pattern(nck_decode_t *self) {
     if (status == NCK_OK) status = read_length(self, 'W', any_nm, &rough->pattern_nm[1]);
     if (status == NCK_OK) status = nck_decode_whole(self, 'R', PASSES_MOST, count, &count);
     if (status != NCK_OK) return status;
-    if (nck_has_word(self, 'R') && count < 2) return fail_range(self, 'R', 2.0);
+    if (nck_has_word(self, 'R') && count < 2) return nck_decode_fail_range(self, 'R', 2.0);
     rough->patterns = (uint32_t)count;
     return NCK_OK;
 }
@@ -88,7 +82,7 @@ static nck_status_t read_lines(nck_decode_t *self) {
     if (status != NCK_OK) return status;
     if (!nck_has_word(self, 'P')) return fail_missing(self, 'P');
     if (!nck_has_word(self, 'Q')) return fail_missing(self, 'Q');
-    if (first == last) return fail_range(self, 'Q', (double)first);
+    if (first == last) return nck_decode_fail_range(self, 'Q', (double)first);
     self->held.contour.first = (uint64_t)first;
     self->held.contour.last = (uint64_t)last;
     return NCK_OK;
@@ -125,7 +119,8 @@ static nck_status_t read_patterns(nck_decode_t *self) {
     if (status == NCK_OK) status = nck_decode_whole(self, 'D', PASSES_MOST, count, &count);
     if (status != NCK_OK) return status;
     if (count < 2) {
-        return nck_has_word(self, 'D') ? fail_range(self, 'D', 2.0) : fail_missing(self, 'R');
+        return nck_has_word(self, 'D') ? nck_decode_fail_range(self, 'D', 2.0)
+                                       : fail_missing(self, 'R');
     }
     rough->passes = (uint32_t)count;
     return NCK_OK;
@@ -194,7 +189,7 @@ static nck_status_t read_distance(nck_decode_t *self) {
     if (status == NCK_OK && finishes) status = read_length(self, 'E', 0, &to_nm);
     if (status == NCK_OK && finishes) status = nck_decode_whole(self, 'P', PASSES_MOST, 1, &passes);
     if (status != NCK_OK) return status;
-    if (passes < 1) return fail_range(self, 'P', 1.0);
+    if (passes < 1) return nck_decode_fail_range(self, 'P', 1.0);
     rough->passes = (uint32_t)passes;
     rough->spare = (double)from_nm / 1e6;
     rough->spare_step = finishes ? (double)(to_nm - from_nm) / 1e6 / (double)passes : 0.0;
@@ -236,8 +231,7 @@ static nck_status_t call_contour(nck_decode_t *self) {
     if (status == NCK_OK && code_of(self) != NCK_MOTION_FINISH) status = read_cuts(self);
     if (status == NCK_OK) status = read_start(self);
     if (status == NCK_OK && self->held.rough.spare > 0.0 && !NCK_HAS_COMP) {
-        status = nck_decode_fail_word(self, NCK_E_UNSUPPORTED, 'D', nck_decode_said(self, 'D'),
-                                      0.0);
+        status = nck_decode_fail_word(self, NCK_E_UNSUPPORTED, 'D', nck_word_real(self, 'D'), 0.0);
     }
     if (status != NCK_OK) return status;
     self->held.contour.first = (uint64_t)name;

@@ -20,11 +20,6 @@ enum { PHASE_ALONG = 1, PHASE_IN, PHASE_CUT, PHASE_OUT, PHASE_BACK, PASSES_MOST 
 #define NM 1e6
 #define HUNDRED 100
 
-static nck_status_t fail_range(nck_decode_t *self, char letter, double limit) {
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_word_real(self, letter),
-                                limit);
-}
-
 static nck_status_t fail_missing(nck_decode_t *self, char letter) {
     return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_MOTION, letter,
                                 nck_decode_thread_name(self), 0.0);
@@ -34,7 +29,8 @@ static nck_status_t fail_missing(nck_decode_t *self, char letter) {
 static nck_status_t read_positive(nck_decode_t *self, char letter, double scale, double *out) {
     if (!nck_has_word(self, letter)) return fail_missing(self, letter);
     *out = nck_word_real(self, letter) * scale;
-    return *out > 0.0 && *out <= (double)NCK_LINEAR_MAX_MM ? NCK_OK : fail_range(self, letter, 0.0);
+    if (*out > 0.0 && *out <= (double)NCK_LINEAR_MAX_MM) return NCK_OK;
+    return nck_decode_fail_range(self, letter, 0.0);
 }
 
 // A length of Fanuc's.
@@ -49,7 +45,7 @@ static nck_status_t read_length(nck_decode_t *self, char letter, double *out) {
 static nck_status_t read_increments(nck_decode_t *self, char letter, double *out) {
     int64_t size_nm = 0;
     if (!nck_decode_increments(self, letter, &size_nm) || size_nm < 0) {
-        return fail_range(self, letter, NCK_DECODE_VALUE_MAX);
+        return nck_decode_fail_range(self, letter, NCK_DECODE_VALUE_MAX);
     }
     *out = (double)size_nm / NM;
     return NCK_OK;
@@ -63,12 +59,14 @@ static nck_status_t read_pairs(nck_decode_t *self) {
     int64_t word = 0;
     if (!nck_has_word(self, 'P')) return NCK_OK;
     if (!nck_number_whole(&self->words.number['P' - 'A'], 0, &word) || word < 0 || word > 999999) {
-        return fail_range(self, 'P', 999999.0);
+        return nck_decode_fail_range(self, 'P', 999999.0);
     }
     const int64_t angle = word % HUNDRED;
     const int known = angle == 0 || angle == 29 || angle == 30 || angle == 55 || angle == 60
                       || angle == 80;
-    if (!known || word / (HUNDRED * HUNDRED) == 0) return fail_range(self, 'P', 999999.0);
+    if (!known || word / (HUNDRED * HUNDRED) == 0) {
+        return nck_decode_fail_range(self, 'P', 999999.0);
+    }
     screw->angle = (uint8_t)angle;
     screw->pull = (uint8_t)(word / HUNDRED % HUNDRED);
     screw->springs = (uint32_t)(word / (HUNDRED * HUNDRED));
@@ -85,7 +83,7 @@ static nck_status_t set_screw(nck_decode_t *self) {
     if (status == NCK_OK && nck_has_word(self, 'R')) {
         status = read_length(self, 'R', &screw->allowance);
     }
-    if (status == NCK_OK && screw->allowance < 0.0) status = fail_range(self, 'R', 0.0);
+    if (status == NCK_OK && screw->allowance < 0.0) status = nck_decode_fail_range(self, 'R', 0.0);
     return status == NCK_OK ? NCK_EMPTY : status;
 }
 
@@ -172,14 +170,14 @@ static nck_status_t read_second_line(nck_decode_t *self) {
 static nck_status_t read_one_line(nck_decode_t *self) {
     nck_screw_t *const screw = &self->held.screw;
     nck_status_t status = read_length(self, 'K', &screw->full);
-    if (status == NCK_OK && screw->full <= 0.0) status = fail_range(self, 'K', 0.0);
+    if (status == NCK_OK && screw->full <= 0.0) status = nck_decode_fail_range(self, 'K', 0.0);
     if (status == NCK_OK) status = read_positive(self, 'D', nck_unit_mm(self), &screw->first);
     screw->taper = 0.0;
     if (status == NCK_OK && nck_has_word(self, 'I')) status = read_length(self, 'I', &screw->taper);
     if (status != NCK_OK) return status;
-    if (self->words.number['D' - 'A'].decimals <= 0) return fail_range(self, 'D', 0.0);
+    if (self->words.number['D' - 'A'].decimals <= 0) return nck_decode_fail_range(self, 'D', 0.0);
     const double angle = nck_has_word(self, 'A') ? nck_word_real(self, 'A') : 0.0;
-    if (angle < 0.0 || angle > 120.0) return fail_range(self, 'A', 120.0);
+    if (angle < 0.0 || angle > 120.0) return nck_decode_fail_range(self, 'A', 120.0);
     screw->rough = screw->full;
     screw->left = 0;
     screw->step_least = 0.0;
@@ -225,8 +223,8 @@ static nck_status_t read_infeed(nck_decode_t *self) {
     const double degression = nck_has_word(self, 'R') ? nck_word_real(self, 'R') : 1.0;
     const double angle = nck_has_word(self, 'Q') ? nck_word_real(self, 'Q') : 0.0;
     if (!nck_has_word(self, 'I')) return fail_missing(self, 'I');
-    if (!(degression >= 1.0)) return fail_range(self, 'R', 1.0);
-    if (angle < 0.0 || angle > 80.0) return fail_range(self, 'Q', 80.0);
+    if (!(degression >= 1.0)) return nck_decode_fail_range(self, 'R', 1.0);
+    if (angle < 0.0 || angle > 80.0) return nck_decode_fail_range(self, 'Q', 80.0);
     self->held.screw.slope = tangent(angle);
     self->held.screw.power = 1.0 / degression;
     return NCK_OK;
@@ -249,7 +247,9 @@ static nck_status_t read_rs274(nck_decode_t *self) {
     if (status == NCK_OK) status = read_tapers(self);
     const double drive = nck_word_real(self, 'I') * size;
     const double most = (double)NCK_LINEAR_MAX_MM;
-    if (status == NCK_OK && !(nck_fabs(drive) <= most)) status = fail_range(self, 'I', most);
+    if (status == NCK_OK && !(nck_fabs(drive) <= most)) {
+        status = nck_decode_fail_range(self, 'I', most);
+    }
     if (status != NCK_OK) return status;
     go_in(screw, drive);
     screw->end_nm[0] = screw->start_nm[0] + nck_nm_of(drive);
@@ -297,9 +297,9 @@ static nck_status_t read_cycle(nck_decode_t *self) {
     const int steps = screw->step_least * (double)PASSES_MOST >= screw->full;
     if (screw->full == 0.0) return NCK_OK;
     if (!(screw->first > 0.0) || !(most >= screw->full || steps)) {
-        return fail_range(self, first, screw->full);
+        return nck_decode_fail_range(self, first, screw->full);
     }
-    if (screw->rough < 0.0) return fail_range(self, 'R', screw->full);
+    if (screw->rough < 0.0) return nck_decode_fail_range(self, 'R', screw->full);
     return NCK_OK;
 }
 
@@ -314,7 +314,7 @@ static nck_status_t begin(nck_decode_t *self) {
     }
     status = read_cycle(self);
     if (status != NCK_OK) return status;
-    if (self->macro.modal != 0) nck_decode_moved(self);
+    nck_decode_moved(self);
     screw->pass = 0;
     screw->depth = 0.0;
     screw->depth = next_depth(screw);

@@ -116,7 +116,7 @@ static nck_status_t begin(nck_decode_t *self) {
     if (status == NCK_OK) status = check_taper(self);
     if (status == NCK_OK) status = nck_decode_cutting_feed(self, 0, &turn->feed);
     if (status != NCK_OK) return status;
-    if (self->macro.modal != 0) nck_decode_moved(self);
+    nck_decode_moved(self);
     turn->left = MOVES;
     return NCK_OK;
 }

@@ -96,7 +96,7 @@ static nck_status_t end_program(nck_decode_t *self) {
 }
 
 void nck_decode_moved(nck_decode_t *self) {
-    if (!NCK_HAS_CALLS) return;
+    if (!NCK_HAS_CALLS || self->macro.modal == 0) return;
     nck_words_t *const words = &self->words;
     if (self->macro.base != self->macro.modal_base) return;
     if (words->steps & NCK_STEP(NCK_STEP_CALL)) return;

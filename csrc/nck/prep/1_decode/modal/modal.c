@@ -191,8 +191,7 @@ nck_status_t nck_decode_dwell_word(nck_decode_t *self, char letter, double *dwel
     if (!(word >= 0.0 && dwell_s <= dwell_max_s)) {
         const double unit = counts ? (millisecond ? 1000.0 : 1.0)
                                    : nck_decode_counts(self, letter);
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter,
-                                    nck_decode_said(self, letter), dwell_max_s * unit);
+        return nck_decode_fail_range(self, letter, dwell_max_s * unit);
     }
     *dwell_out = dwell_s;
     return NCK_OK;
@@ -258,8 +257,7 @@ nck_status_t nck_decode_path(nck_decode_t *self, nck_block_t *out) {
     const int p_good = tolerance >= 0.0 && tolerance <= linear_max_mm;
     if (!p_good || merge < 0.0 || merge > linear_max_mm) {
         const char letter = p_good ? 'Q' : 'P';
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_word_real(self, letter),
-                                    linear_max_mm / nck_unit_mm(self));
+        return nck_decode_fail_range(self, letter, linear_max_mm / nck_unit_mm(self));
     }
     self->modal.path_mode = NCK_PATH_CONTINUOUS;
     self->modal.tolerance_mm = tolerance;

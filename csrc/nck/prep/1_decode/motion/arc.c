@@ -50,8 +50,7 @@ static nck_status_t read_turns(nck_decode_t *self, course_t *course) {
     const int own = nck_has_word(self, 'P') && !(self->words.codes & (NCK_STEP(NCK_STEP_DWELL)
                                                              | NCK_STEP(NCK_STEP_PATH)));
     if (own && (!nck_number_whole(word, 0, &turns) || turns < 1 || turns > NCK_DECODE_TURNS_MAX)) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'P', nck_number_real(word),
-                                    NCK_DECODE_TURNS_MAX);
+        return nck_decode_fail_range(self, 'P', NCK_DECODE_TURNS_MAX);
     }
     course->more = (double)(turns - 1) * 2.0 * NCK_PI;
     return NCK_OK;
@@ -130,7 +129,7 @@ static nck_status_t arc_by_radius(nck_decode_t *self, course_t *course, const in
     }
     if (nck_fabs(radius) < 0.5 * length - self->machine->path.arc_radius) {
         const double least = nck_decode_as_word(&self->place.scale[0], 0.5e6 * length / scale);
-        return nck_decode_fail_word(self, NCK_E_ARC_CHORD, 'R', nck_decode_said(self, 'R'),
+        return nck_decode_fail_word(self, NCK_E_ARC_CHORD, 'R', nck_word_real(self, 'R'),
                                     least * nck_decode_counts(self, 'R'));
     }
     const double height = nck_arc_radius_height(length, radius, course->turn);

@@ -179,7 +179,7 @@ nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out) {
     const int absolute = (self->words.codes & NCK_STEP(NCK_STEP_MACHINE)) != 0;
     const nck_status_t status = nck_decode_target(self, absolute, target_nm);
     if (status != NCK_OK) return status;
-    if (self->macro.modal != 0) nck_decode_moved(self);
+    nck_decode_moved(self);
     return nck_decode_go(self, NULL, target_nm, out);
 }
 
@@ -191,8 +191,7 @@ static nck_status_t find_home(nck_decode_t *self, const int64_t **home_out) {
     const int said = !first && nck_has_word(self, 'P');
     if (first) point = 1;
     if (said && (!nck_number_whole(word, 0, &point) || point < 2 || point > POINT_MOST)) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'P', nck_number_real(word),
-                                    POINT_MOST);
+        return nck_decode_fail_range(self, 'P', POINT_MOST);
     }
     if (point > 2 && !(self->machine->home_more >> (point - 3) & 1u)) {
         return nck_decode_fail_word(self, NCK_E_UNSUPPORTED, 'P', (double)point, 0.0);

@@ -249,14 +249,14 @@ static nck_status_t read_order(nck_decode_t *self, int first) {
 static nck_status_t check_weight(nck_decode_t *self, double weight) {
     const nck_status_t status = need(self, 'P', 'P');
     if (status != NCK_OK || (weight > 0.0 && weight <= (double)NCK_LINEAR_MAX_MM)) return status;
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'P', weight, NCK_LINEAR_MAX_MM);
+    return nck_decode_fail_range(self, 'P', NCK_LINEAR_MAX_MM);
 }
 
 // G5.2, and the lines behind it: a control point of the weight P. The first one is where the tool
 // stands; P alone is its weight. L: the order.
 static nck_status_t control_point(nck_decode_t *self) {
     nck_spline_t *const spline = &self->held.spline;
-    const double weight = nck_number_real(&self->words.number['P' - 'A']);
+    const double weight = nck_word_real(self, 'P');
     const int first = spline->points == 0;
     int64_t target_nm[NCK_AXIS_MAX];
     const int moves = (self->words.axes & 3u) != 0;

@@ -88,7 +88,7 @@ nck_status_t nck_decode_pass(nck_decode_t *self, const int64_t *end_nm, nck_thre
 
 nck_status_t nck_decode_lead(nck_decode_t *self, char letter, double *lead_out) {
     const double unit = self->modal.inch ? 25.4 : 1.0;
-    const double word = nck_number_real(&self->words.number[letter - 'A']);
+    const double word = nck_word_real(self, letter);
     const int said = nck_has_word(self, letter);
     if (!said && letter == 'F' && self->held.screw.lead > 0.0) {
         *lead_out = self->held.screw.lead;
@@ -105,7 +105,7 @@ nck_status_t nck_decode_lead(nck_decode_t *self, char letter, double *lead_out) 
 }
 
 nck_status_t nck_decode_start_angle(nck_decode_t *self, float *turn_out) {
-    const double word = nck_number_real(&self->words.number['Q' - 'A']);
+    const double word = nck_word_real(self, 'Q');
     if (!(self->words.letters & NCK_LETTER('Q'))) return NCK_OK;
     if (!(word >= 0.0 && word <= Q_TURN)) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'Q', word, Q_TURN);

@@ -33,8 +33,7 @@ static nck_status_t read_word(nck_decode_t *self, int letter, const nck_scale_t 
     const nck_number_t *const word = &self->words.number[letter - 'A'];
     if (nck_decode_fixed(self, word, scale, value_out)) return NCK_OK;
     const double limit = nck_decode_as_word(scale, (double)scale->limit);
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_decode_said(self, letter),
-                                limit * nck_decode_counts(self, letter));
+    return nck_decode_fail_range(self, letter, limit * nck_decode_counts(self, letter));
 }
 
 nck_status_t nck_decode_axis_word(nck_decode_t *self, unsigned axis, int64_t *value_out) {
@@ -62,7 +61,7 @@ nck_status_t nck_decode_beyond(nck_decode_t *self, unsigned axis, double at_nm, 
     const double most_nm = at_nm < 0.0 ? -(double)scale->limit : (double)scale->limit;
     const double at = nck_decode_as_word(scale, at_nm), most = nck_decode_as_word(scale, most_nm);
     const double counts = nck_decode_counts(self, letter);
-    const double word = nck_decode_said(self, letter);
+    const double word = nck_word_real(self, letter);
     if (!said) return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, at, most);
     return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, word,
                                 word - (at - most) * counts / times);

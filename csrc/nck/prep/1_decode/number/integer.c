@@ -51,8 +51,9 @@ double nck_decode_counts(const nck_decode_t *self, int letter) {
     return nck_decode_counts_of(self, word_of(self, letter));
 }
 
-double nck_decode_said(const nck_decode_t *self, int letter) {
-    return nck_number_real(word_of(self, letter));
+nck_status_t nck_decode_fail_range(nck_decode_t *self, int letter, double limit) {
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_word_real(self, letter),
+                                limit);
 }
 
 // 1 if a number counts least increments. Where the control leaves it open it does not, and a note
@@ -93,7 +94,7 @@ double nck_decode_real_word(nck_decode_t *self, int letter) {
 }
 
 nck_status_t nck_decode_plain_word(nck_decode_t *self, int letter, double *value_out) {
-    const double value = nck_number_real(word_of(self, letter));
+    const double value = nck_word_real(self, letter);
     const double unit = self->machine->dialect.scale_unit;
     const int whole = is_integer(self, word_of(self, letter));
     *value_out = whole ? value * unit : value;
@@ -107,6 +108,5 @@ nck_status_t nck_decode_whole(nck_decode_t *self, char letter, int64_t most, int
     *out = otherwise;
     if (!(self->words.letters & NCK_LETTER(letter))) return NCK_OK;
     if (nck_number_whole(word, 0, out) && *out >= 0 && *out <= most) return NCK_OK;
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_number_real(word),
-                                (double)most);
+    return nck_decode_fail_range(self, letter, (double)most);
 }

@@ -26,7 +26,7 @@ int nck_number_fixed(const char *text, const nck_number_t *number, const nck_sca
 double nck_number_real(const nck_number_t *number);
 
 // The same of a word of the line. Cost: as that.
-static inline double nck_word_real(const nck_decode_t *self, char letter) {
+static inline double nck_word_real(const nck_decode_t *self, int letter) {
     return nck_number_real(&self->words.number[letter - 'A']);
 }
 
@@ -75,10 +75,12 @@ double nck_decode_real_word(nck_decode_t *self, int letter);
 int nck_decode_asks_unit(const nck_decode_t *self, int letter);
 
 // How much larger a number is than what it means: 1000 or 10 000 where it counts least increments,
-// else 1. The number as the program says it. Cost: linear in the digits.
+// else 1. Cost: linear in the digits.
 double nck_decode_counts_of(const nck_decode_t *self, const nck_number_t *word);
 double nck_decode_counts(const nck_decode_t *self, int letter);
-double nck_decode_said(const nck_decode_t *self, int letter);
+
+// What a word says is beyond a limit: NCK_E_NUMBER_RANGE, noted. Cost: as nck_number_real.
+nck_status_t nck_decode_fail_range(nck_decode_t *self, int letter, double limit);
 
 // A word that is no length, as a factor. Without a point what 1 means goes by the control:
 // NCK_E_SCALE_UNIT. Cost: linear in its digits.

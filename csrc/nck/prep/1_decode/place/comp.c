@@ -32,17 +32,6 @@ nck_status_t nck_decode_comp_refuses(nck_decode_t *self) {
     return NCK_OK;
 }
 
-// A whole word that names a tool or an orientation.
-static nck_status_t read_whole(nck_decode_t *self, int letter, int64_t most, int64_t *value_out) {
-    const nck_number_t *const word = &self->words.number[letter - 'A'];
-    if (!(self->words.letters & NCK_LETTER(letter))) return NCK_OK;
-    if (nck_number_whole(word, 0, value_out) && *value_out >= 0 && *value_out <= most) {
-        return NCK_OK;
-    }
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_number_real(word),
-                                (double)most);
-}
-
 // Fanuc's H in place of D, where G43 does not have it.
 static int says_h(const nck_decode_t *self) {
     const int is_length = (self->words.codes & NCK_STEP(NCK_STEP_LENGTH)) != 0;
@@ -57,7 +46,8 @@ static nck_status_t read_tool(nck_decode_t *self, double *radius_out, int64_t *n
     int64_t number = offset >= 0 ? offset : (int64_t)self->modal.tool_in;
     const char letter = says_h(self) ? 'H' : 'D';
     nck_tool_t tool = {0};
-    const nck_status_t status = read_whole(self, letter, NCK_DECODE_VALUE_MAX, &number);
+    const nck_status_t status = nck_decode_whole(self, letter, NCK_DECODE_VALUE_MAX, number,
+                                                 &number);
     if (status != NCK_OK) return status;
     const int has_none = number != 0 && !nck_table_find(self, (uint32_t)number, &tool);
     if (has_none && self->machine->tool_count == 0) {
@@ -76,16 +66,13 @@ static nck_status_t read_tool(nck_decode_t *self, double *radius_out, int64_t *n
 // G41.1, G42.1: D is the diameter, L the orientation.
 static nck_status_t read_diameter(nck_decode_t *self, double *radius_out, int64_t *nose_out) {
     const double most = 2.0 * (double)NCK_LINEAR_MAX_MM;
-    const double word = nck_number_real(&self->words.number['D' - 'A']);
-    const double diameter = word * (self->modal.inch ? 25.4 : 1.0);
+    const double diameter = nck_word_real(self, 'D') * (self->modal.inch ? 25.4 : 1.0);
     if (!(self->words.letters & NCK_LETTER('D'))) {
         return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_RADIUS_COMP, 'D', 0.0, 0.0);
     }
-    if (!(diameter >= -most && diameter <= most)) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'D', word, most);
-    }
+    if (!(diameter >= -most && diameter <= most)) return nck_decode_fail_range(self, 'D', most);
     *radius_out = 0.5 * diameter;
-    return read_whole(self, 'L', 9, nose_out);
+    return nck_decode_whole(self, 'L', 9, *nose_out, nose_out);
 }
 
 // How it begins and ends.

@@ -92,9 +92,8 @@ static nck_status_t read_polar(nck_decode_t *self, int64_t *at_nm) {
         layout->angle = steps ? layout->angle + word : word;
         if (!(nck_fabs(layout->angle) <= degrees_most)) {
             layout->angle = 0.0;
-            return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter,
-                                        nck_decode_said(self, letter),
-                                        degrees_most * nck_decode_counts(self, letter));
+            return nck_decode_fail_range(self, letter,
+                                         degrees_most * nck_decode_counts(self, letter));
         }
     }
     const double whole = 360.0 * nck_floor(layout->angle / 360.0);
@@ -258,7 +257,7 @@ static nck_status_t read_factor(nck_decode_t *self, int letter, double *factor_o
     if (status != NCK_OK) return status;
     const double size_of = nck_fabs(*factor_out);
     if (size_of >= 1.0 / factor_most && size_of <= factor_most) return NCK_OK;
-    const double word = nck_decode_said(self, letter);
+    const double word = nck_word_real(self, letter);
     const double most = size_of > 0.0 ? factor_most * nck_fabs(word) / size_of : factor_most;
     return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, word, most);
 }
@@ -330,8 +329,7 @@ static nck_status_t rotate(nck_decode_t *self) {
     if (!nck_has_word(self, 'R')) return fail(self, NCK_E_WORD_MISSING, 'R', 68.0);
     if (self->modal.incremental) return fail(self, NCK_E_INCREMENTAL, 'G', 68.0);
     if (!(nck_fabs(degrees) <= degrees_most)) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'R', nck_decode_said(self, 'R'),
-                                    degrees_most * nck_decode_counts(self, 'R'));
+        return nck_decode_fail_range(self, 'R', degrees_most * nck_decode_counts(self, 'R'));
     }
     status = read_centre(self, centre_nm);
     if (status != NCK_OK) return status;

@@ -187,7 +187,7 @@ static nck_status_t set_local(nck_decode_t *self) {
 // R turns a work system of RS274NGC by G10 L2. L20 in one that is turned is not built.
 static nck_status_t check_turn(nck_decode_t *self, int64_t list) {
     const int turns = nck_has_word(self, 'R');
-    const double degrees = turns ? nck_number_real(&self->words.number['R' - 'A']) : 0.0;
+    const double degrees = turns ? nck_word_real(self, 'R') : 0.0;
     const int here = list == NCK_LIST_WORK_HERE;
     const int builds = NCK_HAS_LAYOUTS && self->tongue == NCK_TONGUE_LINUXCNC && !here
                        && self->machine->kinematics != NCK_KINEMATICS_LATHE_XZ;
@@ -243,7 +243,7 @@ static nck_status_t set_work(nck_decode_t *self, int64_t list) {
     }
     memcpy(kept, work, sizeof work);
     const int turns = nck_has_word(self, 'R');
-    if (turns) nck_turned_set(self, row, nck_number_real(&self->words.number['R' - 'A']));
+    if (turns) nck_turned_set(self, row, nck_word_real(self, 'R'));
     return NCK_EMPTY;
 }
 

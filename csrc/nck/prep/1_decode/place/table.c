@@ -140,7 +140,7 @@ nck_status_t nck_table_lists(nck_decode_t *self, int64_t list) {
     for (size_t k = 0; k < sizeof lists / sizeof lists[0] && built && !open; k++) {
         if (lists[k].list == list && (lists[k].whose & self->tongue)) return NCK_OK;
     }
-    return nck_decode_fail_word(self, NCK_E_UNSUPPORTED, 'L', nck_decode_said(self, 'L'), 0.0);
+    return nck_decode_fail_word(self, NCK_E_UNSUPPORTED, 'L', nck_word_real(self, 'L'), 0.0);
 }
 
 // The words that the list has no use for, 0: there are none.

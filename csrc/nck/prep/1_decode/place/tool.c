@@ -46,13 +46,9 @@ static nck_status_t turn_turret(nck_decode_t *self, int64_t number, nck_block_t 
 }
 
 nck_status_t nck_decode_tool(nck_decode_t *self, nck_block_t *out) {
-    const nck_number_t *const word = &self->words.number['T' - 'A'];
-    int64_t number;
-    if (!nck_number_whole(word, 0, &number) || number < 0
-        || number > NCK_DECODE_VALUE_MAX) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'T', nck_number_real(word),
-                                    NCK_DECODE_VALUE_MAX);
-    }
+    int64_t number = 0;
+    const nck_status_t status = nck_decode_whole(self, 'T', NCK_DECODE_VALUE_MAX, 0, &number);
+    if (status != NCK_OK) return status;
     if (self->lathe && number >= NCK_LATHE_TOOLS) return turn_turret(self, number, out);
     return nck_decode_set_tool(self, (double)number, out);
 }

@@ -245,7 +245,7 @@ static nck_status_t read_value(nck_decode_t *self, const printer_code_t *code, d
         if (code->does & FULL) return NCK_OK;
         return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_OWN, 'S', code->code, 0.0);
     }
-    *value_out = nck_number_real(&self->words.number[letter - 'A']);
+    *value_out = nck_word_real(self, letter);
     if (*value_out >= 0.0 && *value_out <= most) return NCK_OK;
     return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, *value_out, most);
 }
