@@ -5,60 +5,33 @@
 #include <assert.h> // assert
 #include <string.h> // memcpy memset
 
-// What the first move must be: by the types of Fanuc straight, as short as it may be.
-static nck_status_t check_entry(nck_toolcomp_t *self, const nck_comp_entry_t *entry) {
-    const nck_shape_t *const contour = &entry->contour;
-    const double size = contour->radius > 0.0 ? contour->radius : contour->length;
-    nck_shape_t beside;
-    if (self->start > NCK_COMP_START_RS274) {
-        if (!(contour->radius > 0.0)) return NCK_EMPTY;
-        const nck_status_t status = nck_comp_fail(self, NCK_E_COMP_ENTRY, entry->block.line, size,
-                                                  self->radius);
-        self->error.letter = 'G';
-        return status;
-    }
-    if (size > self->radius && nck_comp_enter(self, contour, &beside)) return NCK_EMPTY;
-    return nck_comp_fail(self, NCK_E_COMP_ENTRY, entry->block.line, size, self->radius);
-}
-
 // What the first move, and an arc, must be. NCK_EMPTY: it is good.
 static nck_status_t check(nck_toolcomp_t *self, const nck_comp_entry_t *entry) {
     const nck_shape_t *const contour = &entry->contour;
+    const int bends = contour->radius > 0.0;
     nck_shape_t beside;
-    if (entry->enters) return check_entry(self, entry);
-    if (nck_shape_parallel(contour, self->side * self->radius, &beside)) return NCK_EMPTY;
-    return nck_comp_fail(self, NCK_E_COMP_RADIUS, entry->block.line, self->radius,
-                         contour->radius);
-}
-
-static void read_contour(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
-    const nck_block_t *const block = &entry->block;
-    double p[2];
-    double q[2];
-    for (unsigned k = 0; k < 2; k++) {
-        p[k] = (double)self->reached_nm[self->axis[k]] * 1e-6;
-        q[k] = (double)block->target_nm[self->axis[k]] * 1e-6;
+    if (!entry->enters) {
+        if (nck_shape_parallel(contour, self->side * self->radius, &beside)) return NCK_EMPTY;
+        return nck_comp_fail(self, NCK_E_COMP_RADIUS, entry->block.line, self->radius,
+                             contour->radius);
     }
-    if (block->kind == NCK_BLOCK_ARC) {
-        nck_shape_arc(p, q, block->centre_mm, block->sweep_rad, &entry->contour);
-    } else {
-        nck_shape_line(p, q, &entry->contour);
-    }
-    entry->height = nck_comp_height(self, self->reached_nm);
-    memcpy(self->reached_nm, block->target_nm, sizeof self->reached_nm);
-}
-
-// Does the path go on from where the contour before ends? What is done with does, and what is on
-// the path, which only a contour behind it cuts short.
-static int follows_last(nck_toolcomp_t *self) {
-    const uint32_t count = self->last.count;
-    return nck_comp_is_given(self, count) || nck_comp_at(self, count)->on[NCK_COMP_BESIDE];
+    const double size = bends ? contour->radius : contour->length;
+    const int is_fanuc = self->start > NCK_COMP_START_RS274; // straight, as short as it may be
+    const int fits = is_fanuc ? !bends
+                              : size > self->radius && nck_comp_enter(self, contour, &beside);
+    if (fits) return NCK_EMPTY;
+    (void)nck_comp_fail(self, NCK_E_COMP_ENTRY, entry->block.line, size, self->radius);
+    if (is_fanuc) self->error.letter = 'G';
+    return NCK_E_COMP_ENTRY;
 }
 
 // The path is led along the newest contour. What is done with cannot be cut short for it any more.
 static nck_status_t follow(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
-    const int follows = !entry->enters && follows_last(self); // before it nothing is led
     const int done = nck_comp_is_given(self, self->last.count);
+    // Does it go on from where the contour before ends? What is done with does, and what is on the
+    // path, which only a contour behind it cuts short; before the first move nothing is led.
+    const int follows = !entry->enters
+                        && (done || nck_comp_at(self, self->last.count)->on[NCK_COMP_BESIDE]);
     memcpy(entry->tangent, self->last.tangent, sizeof entry->tangent);
     if (entry->enters) nck_shape_tangent(&entry->contour, entry->contour.length, entry->tangent);
     if (!entry->enters && done && !entry->rapid && !self->last.rapid) {
@@ -94,8 +67,21 @@ static nck_comp_entry_t *read_entry(nck_toolcomp_t *self, const nck_block_t *blo
     entry->block = *block;
     entry->s = self->s;
     entry->rapid = block->kind == NCK_BLOCK_RAPID;
-    if (block->kind <= NCK_BLOCK_ARC) read_contour(self, entry);
+    if (block->kind > NCK_BLOCK_ARC) return entry;
+    double p[2];
+    double q[2];
+    for (unsigned k = 0; k < 2; k++) {
+        p[k] = (double)self->reached_nm[self->axis[k]] * 1e-6;
+        q[k] = (double)block->target_nm[self->axis[k]] * 1e-6;
+    }
+    if (block->kind == NCK_BLOCK_ARC) {
+        nck_shape_arc(p, q, block->centre_mm, block->sweep_rad, &entry->contour);
+    } else {
+        nck_shape_line(p, q, &entry->contour);
+    }
+    entry->height = nck_comp_height(self, self->reached_nm);
     entry->moves = entry->contour.length > 0.0;
+    memcpy(self->reached_nm, block->target_nm, sizeof self->reached_nm);
     return entry;
 }
 

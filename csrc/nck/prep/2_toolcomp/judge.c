@@ -77,21 +77,6 @@ static double reach(const apart_t *gap, const double *point) {
                    nck_shape_distance(&gap->side[1], point));
 }
 
-// An element of which nothing is on the path. Returns 1 if the tool could touch it.
-static int leave_out(nck_toolcomp_t *self, apart_t *gap, uint32_t count) {
-    const nck_shape_t *const contour = &nck_comp_at(self, count)->contour;
-    nck_comp_piece_t piece;
-    nck_comp_piece(self, count, NCK_COMP_BESIDE, &piece);
-    const double all[2] = {0.0, piece.shape.length};
-    const double far = nck_max(reach(gap, contour->p), reach(gap, contour->q));
-    if (gap->elements == 0) gap->first = count;
-    gap->last = count;
-    gap->elements++;
-    gap->left = nck_max(gap->left, far - self->radius);
-    gap->length += contour->length;
-    return fits(self, gap, count, all);
-}
-
 static nck_status_t fail(nck_toolcomp_t *self, apart_t *gap) {
     double end[2];
     if (!(gap->depth > 0.0)) { // in no other: then where the piece before would end
@@ -133,15 +118,25 @@ static nck_status_t judge_end(nck_toolcomp_t *self) {
                          (double)self->last.begins);
 }
 
-// Leave out what is so from entry `of` up to `end`. Returns as leave_out does.
-static int leave_out_until(nck_toolcomp_t *self, apart_t *gap, uint32_t of, uint32_t end) {
-    int fit = 0;
-    for (uint32_t m = of; m != end && !fit; m++) {
+// The elements from entry `of` up to `end` of which nothing is on the path. Returns 1 at one that
+// the tool could touch.
+static int leave_out(nck_toolcomp_t *self, apart_t *gap, uint32_t of, uint32_t end) {
+    for (uint32_t m = of; m != end; m++) {
         const nck_comp_entry_t *const entry = nck_comp_at(self, m);
-        const int is_left_out = entry->moves && !entry->on[NCK_COMP_BESIDE];
-        if (is_left_out) fit = leave_out(self, gap, m);
+        const nck_shape_t *const contour = &entry->contour;
+        nck_comp_piece_t piece;
+        if (!entry->moves || entry->on[NCK_COMP_BESIDE]) continue;
+        nck_comp_piece(self, m, NCK_COMP_BESIDE, &piece);
+        const double all[2] = {0.0, piece.shape.length};
+        const double far = nck_max(reach(gap, contour->p), reach(gap, contour->q));
+        if (gap->elements == 0) gap->first = m;
+        gap->last = m;
+        gap->elements++;
+        gap->left = nck_max(gap->left, far - self->radius);
+        gap->length += contour->length;
+        if (fits(self, gap, m, all)) return 1;
     }
-    return fit;
+    return 0;
 }
 
 nck_status_t nck_comp_judge(nck_toolcomp_t *self) {
@@ -164,7 +159,7 @@ nck_status_t nck_comp_judge(nck_toolcomp_t *self) {
     nck_comp_on_path(self, &next, &gap.side[1]);
     const int ends = ends_fit(self, &gap);
     const uint32_t end = next.part == NCK_COMP_ABOUT && !lost ? next.of : next.of + 1;
-    const int fit = ends || leave_out_until(self, &gap, piece->of, end);
+    const int fit = ends || leave_out(self, &gap, piece->of, end);
     const int deep = nck_min(gap.left, gap.length) > self->radius;
     if (fit || deep || lost) return fail(self, &gap);
     tell(self, &gap);

@@ -118,24 +118,6 @@ void nck_toolcomp_end(nck_toolcomp_t *self) {
     self->closed = self->phase != NCK_COMP_OFF;
 }
 
-static void open_piece(nck_toolcomp_t *self, nck_comp_part_t part) {
-    const nck_comp_span_t *const span = &nck_comp_at(self, self->ring.tail)->path[part];
-    nck_comp_piece(self, self->ring.tail, part, &self->walk.piece);
-    self->walk.along = span->from;
-    self->walk.until = span->to;
-    self->walk.open = 1;
-    self->walk.planned = nck_comp_at(self, self->ring.tail)->leaves;
-}
-
-static nck_status_t plan_piece(nck_toolcomp_t *self) {
-    self->walk.planned = 1;
-    nck_status_t status = nck_comp_hold(self);
-    if (status == NCK_OK) status = nck_comp_judge(self);
-    if (status != NCK_OK) return status;
-    const int enters = nck_comp_at(self, self->walk.piece.of)->enters;
-    return enters ? nck_comp_way_to(self) : nck_comp_keep_off(self);
-}
-
 // The entry at the tail: a block without contour is given, the next piece of a contour is opened.
 static nck_status_t begin_entry(nck_toolcomp_t *self, nck_block_t *out) {
     nck_comp_entry_t *const entry = nck_comp_at(self, self->ring.tail);
@@ -143,7 +125,7 @@ static nck_status_t begin_entry(nck_toolcomp_t *self, nck_block_t *out) {
     if (NCK_HAS_FOREIGN && entry->block.kind == NCK_BLOCK_COMP) {
         // All before the change is given: the tool goes from beside the contour's end to its other
         // side.
-        const nck_block_t block = nck_comp_at(self, self->ring.tail)->block;
+        const nck_block_t block = entry->block;
         const double tangent[2] = {self->last.tangent[0], self->last.tangent[1]};
         nck_comp_off(self);
         const int beside = self->away;
@@ -161,7 +143,13 @@ static nck_status_t begin_entry(nck_toolcomp_t *self, nck_block_t *out) {
     if (entry->crosses && nck_comp_next(self, self->ring.tail) == self->ring.head) {
         entry->on[part] = 0; // no contour follows on the other side
     }
-    if (entry->on[part]) open_piece(self, (nck_comp_part_t)part);
+    if (entry->on[part]) {
+        nck_comp_piece(self, self->ring.tail, (nck_comp_part_t)part, &self->walk.piece);
+        self->walk.along = entry->path[part].from;
+        self->walk.until = entry->path[part].to;
+        self->walk.open = 1;
+        self->walk.planned = entry->leaves;
+    }
     self->walk.part++;
     return NCK_EMPTY;
 }
@@ -169,7 +157,14 @@ static nck_status_t begin_entry(nck_toolcomp_t *self, nck_block_t *out) {
 // The next entry, or a stretch of the piece in work. NCK_EMPTY: nothing to give yet.
 static nck_status_t step(nck_toolcomp_t *self, nck_block_t *out) {
     if (!self->walk.open) return begin_entry(self, out);
-    nck_status_t status = self->walk.planned ? NCK_OK : plan_piece(self);
+    nck_status_t status = NCK_OK;
+    if (!self->walk.planned) {
+        const int enters = nck_comp_at(self, self->walk.piece.of)->enters;
+        self->walk.planned = 1;
+        status = nck_comp_hold(self);
+        if (status == NCK_OK) status = nck_comp_judge(self);
+        if (status == NCK_OK) status = enters ? nck_comp_way_to(self) : nck_comp_keep_off(self);
+    }
     if (status == NCK_OK) status = nck_comp_give(self, out);
     if (!(self->walk.along < self->walk.until)) self->walk.open = 0;
     return status;
