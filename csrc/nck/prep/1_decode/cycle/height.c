@@ -7,7 +7,7 @@
 
 nck_status_t nck_cycle_missing(nck_decode_t *self, int letter) {
     self->modal.motion = NCK_MOTION_REFUSED;
-    return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_MOTION, letter, 0.0, 0.0);
+    return nck_decode_fail_missing(self, NCK_STEP_MOTION, letter);
 }
 
 // R. In system A it is a step from where the drill stood: what leads away from the work there is
@@ -20,9 +20,7 @@ static nck_status_t read_r(nck_decode_t *self, int steps) {
         return NCK_OK;
     }
     const nck_status_t status = nck_decode_length_word(self, 'R', &cycle->r_nm);
-    if (status == NCK_OK && away && cycle->r_nm > 0) {
-        return nck_decode_fail_range(self, 'R', 0.0);
-    }
+    if (status == NCK_OK && away && cycle->r_nm > 0) return nck_decode_fail_range(self, 'R', 0.0);
     if (steps || away) cycle->r_nm += cycle->initial_nm;
     cycle->said |= NCK_LETTER('R');
     return status;

@@ -86,9 +86,7 @@ nck_status_t nck_contour_words(nck_decode_t *self) {
     if (said == both) return nck_decode_fail_word(self, NCK_E_WORD_SHARED, 'C', 0.0, 0.0);
     const nck_status_t status = nck_decode_length_word(self, letter, size_nm);
     if (status != NCK_OK) return status;
-    if (*size_nm <= 0) {
-        return nck_decode_fail_range(self, letter, 0.0);
-    }
+    if (*size_nm <= 0) return nck_decode_fail_range(self, letter, 0.0);
     if (letter == 'C') *size_nm = -*size_nm;
     words->letters &= ~said;
     return NCK_OK;

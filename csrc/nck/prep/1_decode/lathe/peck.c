@@ -73,9 +73,7 @@ static nck_status_t keep_back(nck_decode_t *self) {
     int64_t back_nm = 0;
     if (!nck_has_word(self, 'R')) return fail_missing(self, 'R');
     const nck_status_t status = nck_decode_length_word(self, 'R', &back_nm);
-    if (status == NCK_OK && back_nm < 0) {
-        return nck_decode_fail_range(self, 'R', 0.0);
-    }
+    if (status == NCK_OK && back_nm < 0) return nck_decode_fail_range(self, 'R', 0.0);
     if (status == NCK_OK) self->held.peck.back_nm = back_nm;
     return status;
 }

@@ -18,7 +18,7 @@ static const int64_t any_nm = -2000000000000000; // less than every length
 static uint32_t code_of(const nck_decode_t *self) { return self->words.code[NCK_STEP_MOTION]; }
 
 static nck_status_t fail_missing(nck_decode_t *self, int letter) {
-    return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_MOTION, letter, 0.0, 0.0);
+    return nck_decode_fail_missing(self, NCK_STEP_MOTION, letter);
 }
 
 // A length with a sign, or one that has none: more than 0, or 0 too. It stays if it is not said.

@@ -59,38 +59,23 @@ nck_status_t nck_call_return(nck_decode_t *self) {
 
 enum { LINES = 970 }; // M97 P: the lines from N… on
 
-// P: the program; L: how often. Fanuc writes both into P, where no program has such a name
-// (jump.c).
-static nck_status_t read_target(nck_decode_t *self, int64_t *program, int64_t *count) {
-    nck_status_t status = nck_decode_whole(self, 'P', PROGRAM_MOST, -1, program);
-    if (status == NCK_OK) status = nck_decode_whole(self, 'L', COUNT_MOST, 1, count);
-    if (status != NCK_OK) return status;
-    if (*program <= 0) {
-        return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_CALL, 'P', 0.0, 0.0);
-    }
-    return NCK_OK;
-}
-
-// M99 in the main program has it begin again: it is done once, and that is told.
-static nck_status_t repeat_program(nck_decode_t *self) {
-    nck_decode_assume(self, NCK_NOTE_REPEATS);
-    self->words.steps |= NCK_STEP(NCK_STEP_STOP);
-    self->words.code[NCK_STEP_STOP] = 300;
-    return NCK_OK;
-}
-
 // M99: the call is over; with P it returns to the line of that number, in the main program too.
 static nck_status_t end_program(nck_decode_t *self) {
     const nck_frame_t *const frame = nck_frame_call(self);
     int64_t number = -1;
     nck_status_t status = nck_decode_whole(self, 'P', PROGRAM_MOST, -1, &number);
     if (status != NCK_OK) return status;
-    if (frame == NULL) return number < 0 ? repeat_program(self)
-                                         : nck_seek_number(self, (uint64_t)number);
-    if (frame->kind == NCK_FRAME_SUB) {
+    if (frame == NULL && number < 0) {
+        // In the main program it has it begin again: it is done once, and that is told.
+        nck_decode_assume(self, NCK_NOTE_REPEATS);
+        self->words.steps |= NCK_STEP(NCK_STEP_STOP);
+        self->words.code[NCK_STEP_STOP] = 300;
+        return NCK_OK;
+    }
+    if (frame != NULL && frame->kind == NCK_FRAME_SUB) {
         return nck_decode_fail_code(self, NCK_E_UNSUPPORTED, NCK_STEP_CALL);
     }
-    status = nck_call_return(self);
+    if (frame != NULL) status = nck_call_return(self);
     if (status != NCK_OK || number < 0) return status;
     return nck_seek_number(self, (uint64_t)number);
 }
@@ -104,12 +89,17 @@ void nck_decode_moved(nck_decode_t *self) {
     words->code[NCK_STEP_CALL] = 661; // the call behind a move
 }
 
+// P: the program; L: how often. Fanuc writes both into P, where no program has such a name
+// (jump.c).
 static nck_status_t call_program(nck_decode_t *self, uint16_t code) {
     nck_macro_t *const macro = &self->macro;
     int64_t program = 0, count = 0;
-    nck_status_t status = read_target(self, &program, &count);
+    nck_status_t status = nck_decode_whole(self, 'P', PROGRAM_MOST, -1, &program);
+    if (status == NCK_OK) status = nck_decode_whole(self, 'L', COUNT_MOST, 1, &count);
+    if (status != NCK_OK) return status;
+    if (program <= 0) return nck_decode_fail_missing(self, NCK_STEP_CALL, 'P');
     const int shares = code == 980 || code == LINES;
-    if (status == NCK_OK && !shares) status = nck_argument_all(self);
+    if (!shares) status = nck_argument_all(self);
     if (status != NCK_OK) return status;
     if (code == 660) {
         macro->modal = (uint64_t)program;

@@ -79,14 +79,14 @@ nck_status_t nck_decode_feed(nck_decode_t *self, nck_block_t *out) {
         return NCK_EMPTY;
     }
     if (value < 0.0 || feed > value_max) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'F', value, value_max / unit);
+        return nck_decode_fail_range(self, 'F', value_max / unit);
     }
     // Per minute no feed is slower than the slowest axis may be: a millimetre would take days.
     nck_range_t speed;
     nck_machine_range(NCK_QUANTITY_SPEED, &speed);
     const double least = self->modal.feed_mode == NCK_FEED_PER_MINUTE ? 60.0 * speed.low : 0.0;
     if (feed > 0.0 && feed < least) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'F', value, least / unit);
+        return nck_decode_fail_range(self, 'F', least / unit);
     }
     nck_decode_set_feed(self, feed, value);
     return NCK_EMPTY;
@@ -98,9 +98,7 @@ nck_status_t nck_decode_change(nck_decode_t *self, nck_block_t *out) {
     // M61: the tool in the spindle is this one; nothing moves.
     if (self->words.code[NCK_STEP_CHANGE] == SET_TOOL) {
         int64_t number = 0;
-        if (!nck_has_word(self, 'Q')) {
-            return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_CHANGE, 'Q', 0.0, 0.0);
-        }
+        if (!nck_has_word(self, 'Q')) return nck_decode_fail_missing(self, NCK_STEP_CHANGE, 'Q');
         const nck_status_t status = nck_decode_whole(self, 'Q', NCK_DECODE_VALUE_MAX, 0, &number);
         if (status != NCK_OK) return status;
         const uint32_t tool = (uint32_t)number;
@@ -202,9 +200,7 @@ nck_status_t nck_decode_dwell(nck_decode_t *self, nck_block_t *out) {
     double dwell_s = 0.0;
     const int waits = self->tongue == NCK_TONGUE_MARLIN; // until all that is before it is done
     if (letter == 0 && waits) return nck_decode_give_dwell(self, 0.0, out);
-    if (letter == 0) {
-        return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_DWELL, 'P', 0.0, 0.0);
-    }
+    if (letter == 0) return nck_decode_fail_missing(self, NCK_STEP_DWELL, 'P');
     const nck_status_t status = nck_decode_dwell_word(self, letter, &dwell_s);
     return status == NCK_OK ? nck_decode_give_dwell(self, dwell_s, out) : status;
 }
@@ -253,7 +249,7 @@ nck_status_t nck_decode_path(nck_decode_t *self, nck_block_t *out) {
     if (code != 640) return set_exact(self, code == 611 || fanuc);
     const double tolerance = read_tolerance(self);
     const double merge = nck_has_word(self, 'Q') ? nck_word_real(self, 'Q') * nck_unit_mm(self)
-                         : tolerance;
+                                                 : tolerance;
     const int p_good = tolerance >= 0.0 && tolerance <= linear_max_mm;
     if (!p_good || merge < 0.0 || merge > linear_max_mm) {
         const char letter = p_good ? 'Q' : 'P';

@@ -27,7 +27,7 @@ static nck_status_t read_port(nck_decode_t *self, char letter, uint32_t *port_ou
 static nck_status_t read_real(nck_decode_t *self, char letter, double least, double *value_out) {
     *value_out = nck_has_word(self, letter) ? nck_word_real(self, letter) : 0.0;
     if (*value_out >= least && *value_out <= value_most) return NCK_OK;
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, *value_out, value_most);
+    return nck_decode_fail_range(self, letter, value_most);
 }
 
 static nck_status_t give(nck_decode_t *self, nck_output_kind_t kind, uint32_t number, double value,

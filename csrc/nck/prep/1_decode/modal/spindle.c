@@ -44,7 +44,7 @@ nck_status_t nck_decode_speed(nck_decode_t *self, nck_block_t *out) {
     if (!self->modal.surface_on) return nck_decode_set_speed(self, word, out);
     const double unit = self->modal.inch ? MM_PER_FOOT : MM_PER_M;
     if (word < 0.0 || word * unit > value_max) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'S', word, value_max / unit);
+        return nck_decode_fail_range(self, 'S', value_max / unit);
     }
     if (self->modal.surface == word * unit) return NCK_EMPTY;
     return give_surface(self, word * unit, out);
@@ -53,9 +53,7 @@ nck_status_t nck_decode_speed(nck_decode_t *self, nck_block_t *out) {
 // A most of the spindle's speed: a word above what the machine has is no mistake.
 static nck_status_t read_most(nck_decode_t *self, char letter) {
     const double word = nck_word_real(self, letter);
-    if (!(word > 0.0 && word <= value_max)) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, word, value_max);
-    }
+    if (!(word > 0.0 && word <= value_max)) return nck_decode_fail_range(self, letter, value_max);
     self->modal.speed_most = word;
     return NCK_EMPTY;
 }

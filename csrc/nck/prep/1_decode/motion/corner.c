@@ -236,23 +236,16 @@ static int meet(nck_corner_t *corner) {
     return corner->next.kind == NCK_BLOCK_LINE && corner->next.plane == held->plane;
 }
 
-// The travel of an open move's end.
-static nck_status_t check_end(nck_decode_t *self, const int64_t *end_nm) {
-    nck_status_t status = NCK_OK;
-    for (unsigned axis = 0; axis < 3 && status == NCK_OK; axis++) {
-        status = nck_decode_travel(self, axis, end_nm[axis]);
-    }
-    return status;
-}
-
 // Where both moves meet, and how they do.
 static nck_status_t find_edges(nck_decode_t *self, int64_t *corner_nm, nck_edge_t *edges) {
     nck_corner_t *const corner = &self->held.corner;
     const int misses = corner->is_open == 1 || (corner->is_open && !meet(corner));
     if (misses) return fail(self, corner->size);
     end_of(&corner->held, corner_nm);
-    const nck_status_t status = corner->is_open ? check_end(self, corner_nm) : NCK_OK;
-    if (status != NCK_OK) return status;
+    for (unsigned axis = 0; axis < 3 && corner->is_open; axis++) {
+        const nck_status_t status = nck_decode_travel(self, axis, corner_nm[axis]);
+        if (status != NCK_OK) return status;
+    }
     const int before = make_edge(&corner->held, corner->from_nm, corner_nm, &edges[0]);
     const int behind = make_edge(&corner->next, corner_nm, corner_nm, &edges[1]);
     return before && behind ? NCK_OK : fail(self, corner->size);

@@ -108,9 +108,6 @@ static double step_on(nck_decode_t *self) {
     return step < span && at + step > at ? at + step : next;
 }
 
-// How many axes move: Z stays where only knots of G6.2 lead it.
-static unsigned axes_of(const nck_spline_t *spline) { return spline->knots != 0 ? 3 : 2; }
-
 static void place_of_last(const nck_decode_t *self, int64_t *place_nm) {
     const nck_element_t *const last = &self->held.contour.element[self->held.spline.points - 1];
     memcpy(place_nm, last->to_nm, sizeof last->to_nm);
@@ -126,8 +123,9 @@ static nck_status_t chord(nck_decode_t *self, nck_block_t *out) {
     spline->at = step_on(self);
     spline->works = spline->at < parameter_end(self);
     point_at(self, spline->at, at);
+    const unsigned axes = spline->knots != 0 ? 3 : 2; // only knots of G6.2 lead Z
     nck_status_t status = NCK_OK;
-    for (unsigned axis = 0; axis < axes_of(spline) && status == NCK_OK; axis++) {
+    for (unsigned axis = 0; axis < axes && status == NCK_OK; axis++) {
         const int64_t place_nm = spline->works ? nck_rounded(at[axis]) : last_nm[axis];
         self->place.position_nm[axis] = place_nm;
         status = nck_decode_travel(self, axis, place_nm);

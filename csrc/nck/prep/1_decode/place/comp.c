@@ -32,19 +32,16 @@ nck_status_t nck_decode_comp_refuses(nck_decode_t *self) {
     return NCK_OK;
 }
 
-// Fanuc's H in place of D, where G43 does not have it.
-static int says_h(const nck_decode_t *self) {
-    const int is_length = (self->words.codes & NCK_STEP(NCK_STEP_LENGTH)) != 0;
-    return nck_is_fanuc(self) && !is_length
-           && (self->words.letters & (NCK_LETTER('D') | NCK_LETTER('H'))) == NCK_LETTER('H');
-}
-
 // G41, G42: the tool in the spindle, or the one that D names, on Fanuc's mills until another one
 // does; D0 and no tool have no radius.
 static nck_status_t read_tool(nck_decode_t *self, double *radius_out, int64_t *nose_out) {
     const int32_t offset = self->modal.offset_in;
     int64_t number = offset >= 0 ? offset : (int64_t)self->modal.tool_in;
-    const char letter = says_h(self) ? 'H' : 'D';
+    // Fanuc's H in place of D, where G43 does not have it.
+    const int fanuc = nck_is_fanuc(self);
+    const int is_length = (self->words.codes & NCK_STEP(NCK_STEP_LENGTH)) != 0;
+    const uint32_t said = self->words.letters & (NCK_LETTER('D') | NCK_LETTER('H'));
+    const char letter = fanuc && !is_length && said == NCK_LETTER('H') ? 'H' : 'D';
     nck_tool_t tool = {0};
     const nck_status_t status = nck_decode_whole(self, letter, NCK_DECODE_VALUE_MAX, number,
                                                  &number);
@@ -55,9 +52,7 @@ static nck_status_t read_tool(nck_decode_t *self, double *radius_out, int64_t *n
     } else if (has_none) {
         return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, letter, (double)number, 0.0);
     }
-    const int keeps = nck_is_fanuc(self)
-                      && (self->words.letters & NCK_LETTER(letter));
-    if (keeps) self->modal.offset_in = (int32_t)number;
+    if (fanuc && nck_has_word(self, letter)) self->modal.offset_in = (int32_t)number;
     *radius_out = tool.radius_mm + tool.wear_mm;
     *nose_out = tool.orientation;
     return NCK_OK;
@@ -67,20 +62,10 @@ static nck_status_t read_tool(nck_decode_t *self, double *radius_out, int64_t *n
 static nck_status_t read_diameter(nck_decode_t *self, double *radius_out, int64_t *nose_out) {
     const double most = 2.0 * (double)NCK_LINEAR_MAX_MM;
     const double diameter = nck_word_real(self, 'D') * (self->modal.inch ? 25.4 : 1.0);
-    if (!(self->words.letters & NCK_LETTER('D'))) {
-        return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_RADIUS_COMP, 'D', 0.0, 0.0);
-    }
+    if (!nck_has_word(self, 'D')) return nck_decode_fail_missing(self, NCK_STEP_RADIUS_COMP, 'D');
     if (!(diameter >= -most && diameter <= most)) return nck_decode_fail_range(self, 'D', most);
     *radius_out = 0.5 * diameter;
     return nck_decode_whole(self, 'L', 9, *nose_out, nose_out);
-}
-
-// How it begins and ends.
-static uint32_t start_of(const nck_decode_t *self) {
-    const uint32_t start = self->machine->dialect.comp_start;
-    if (start != NCK_COMP_START_OPEN) return start;
-    const int fanuc = nck_is_fanuc(self);
-    return fanuc ? NCK_COMP_START_A : NCK_COMP_START_RS274;
 }
 
 // The block that 2_toolcomp begins or ends at. radius: as NCK_BLOCK_COMP has it.
@@ -89,7 +74,10 @@ static nck_status_t give(nck_decode_t *self, double radius, int64_t nose, nck_bl
     const int fanuc = nck_is_fanuc(self);
     nck_decode_block(self, NCK_BLOCK_COMP, out);
     out->output.value = radius;
-    out->output.number = start_of(self);
+    out->output.number = self->machine->dialect.comp_start; // how it begins and ends
+    if (out->output.number == NCK_COMP_START_OPEN) {
+        out->output.number = fanuc ? NCK_COMP_START_A : NCK_COMP_START_RS274;
+    }
     out->centre_mm[0] = size * nose_z[nose];
     out->centre_mm[1] = size * nose_x[fanuc][nose];
     return NCK_OK;

@@ -108,9 +108,7 @@ nck_status_t nck_decode_work(nck_decode_t *self, nck_block_t *out) {
     if (code == G54_1 || code >= G110 || says) {
         uint32_t number = (code - G110) / 10 + 1;
         if (code < G110 || code == G154) {
-            if (!(self->words.letters & NCK_LETTER('P'))) {
-                return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_WORK, 'P', 0.0, 0.0);
-            }
+            if (!nck_has_word(self, 'P')) return nck_decode_fail_missing(self, NCK_STEP_WORK, 'P');
             const int64_t most = code == G154 ? G154_MOST : NCK_WORK_MOST;
             const nck_status_t status = read_further_number(self, most, &number);
             if (status != NCK_OK) return status;
@@ -126,26 +124,17 @@ nck_status_t nck_decode_work(nck_decode_t *self, nck_block_t *out) {
     return NCK_EMPTY;
 }
 
-static nck_status_t fail_missing(nck_decode_t *self, int letter) {
-    return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_OFFSET, letter, 0.0, 0.0);
-}
-
-// Fanuc's G92 while G52 is in force: which of them then counts goes by the control.
-static nck_status_t check_local(nck_decode_t *self) {
-    const int both = self->place.is_local && nck_is_fanuc(self);
-    if (!both) return NCK_OK;
-    return nck_decode_fail_code(self, NCK_E_UNSUPPORTED, NCK_STEP_OFFSET);
-}
-
 // G92: the present position gets the name that the words say.
 static nck_status_t rename_position(nck_decode_t *self) {
     int64_t g92_nm[NCK_AXIS_MAX];
     const int limits = self->lathe && (self->words.letters & NCK_LETTER('S'));
     const nck_status_t limited = limits ? nck_decode_speed_limit(self) : NCK_EMPTY;
     if (limited != NCK_EMPTY || (limits && self->words.axes == 0)) return limited;
-    if (self->words.axes == 0) return fail_missing(self, 'X');
-    const nck_status_t fits = check_local(self);
-    if (fits != NCK_OK) return fits;
+    if (self->words.axes == 0) return nck_decode_fail_missing(self, NCK_STEP_OFFSET, 'X');
+    // Fanuc's G92 while G52 is in force: which of them then counts goes by the control.
+    if (self->place.is_local && nck_is_fanuc(self)) {
+        return nck_decode_fail_code(self, NCK_E_UNSUPPORTED, NCK_STEP_OFFSET);
+    }
     self->place.is_local = 0;
     memcpy(g92_nm, self->place.g92_nm, sizeof g92_nm);
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
@@ -165,7 +154,7 @@ static nck_status_t rename_position(nck_decode_t *self) {
 static nck_status_t set_local(nck_decode_t *self) {
     const int fanuc = nck_is_fanuc(self);
     int64_t g92_nm[NCK_AXIS_MAX];
-    if (self->words.axes == 0) return fail_missing(self, 'X');
+    if (self->words.axes == 0) return nck_decode_fail_missing(self, NCK_STEP_OFFSET, 'X');
     if (fanuc && self->modal.incremental) {
         return nck_decode_fail_code(self, NCK_E_INCREMENTAL, NCK_STEP_OFFSET);
     }
@@ -198,7 +187,7 @@ static nck_status_t check_turn(nck_decode_t *self, int64_t list) {
         return nck_decode_fail_word(self, NCK_E_UNSUPPORTED, 'R', degrees, 0.0);
     }
     if (degrees >= -turn_most && degrees <= turn_most) return NCK_OK;
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'R', degrees, turn_most);
+    return nck_decode_fail_range(self, 'R', turn_most);
 }
 
 // G10 L2 L20 Pn: which work system, 0 for the one in force, to Fanuc for the external offset. Q is
@@ -220,6 +209,14 @@ static nck_status_t read_system(nck_decode_t *self, int64_t list, int64_t **zero
     return NCK_OK;
 }
 
+// What an axis word adds to.
+static nck_status_t read_zero(nck_decode_t *self, unsigned axis, int64_t before_nm,
+                              int64_t *value_out) {
+    const nck_status_t status = nck_decode_axis_word(self, axis, value_out);
+    *value_out += before_nm;
+    return status == NCK_OK ? nck_decode_steps(self, axis, 0, 0, value_out) : status;
+}
+
 // G10 L2: the zero of a work system for the axes named, which Fanuc's G91 adds to; L20: it is where
 // the axes have the places that the words say.
 static nck_status_t set_work(nck_decode_t *self, int64_t list) {
@@ -234,9 +231,7 @@ static nck_status_t set_work(nck_decode_t *self, int64_t list) {
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
         int64_t value = 0;
         if (!(self->words.axes & ((uint32_t)1 << axis))) continue;
-        nck_status_t status = nck_decode_axis_word(self, axis, &value);
-        if (adds) value += work[axis];
-        if (status == NCK_OK) status = nck_decode_steps(self, axis, 0, 0, &value);
+        const nck_status_t status = read_zero(self, axis, adds ? work[axis] : 0, &value);
         if (status != NCK_OK) return status;
         const int64_t here = self->place.position_nm[axis] - self->place.origin_nm[axis];
         work[axis] = list == NCK_LIST_WORK ? value : here + in_force[axis] - value;
@@ -245,16 +240,6 @@ static nck_status_t set_work(nck_decode_t *self, int64_t list) {
     const int turns = nck_has_word(self, 'R');
     if (turns) nck_turned_set(self, row, nck_word_real(self, 'R'));
     return NCK_EMPTY;
-}
-
-static nck_status_t set_further_axis(nck_decode_t *self, uint32_t number, unsigned axis,
-                                     int64_t before_nm) {
-    int64_t value_nm = 0;
-    nck_status_t status = nck_decode_axis_word(self, axis, &value_nm);
-    if (self->modal.incremental) value_nm += before_nm;
-    if (status == NCK_OK) status = nck_decode_steps(self, axis, 0, 0, &value_nm);
-    if (status != NCK_OK) return status;
-    return nck_variable_wait(self, nck_variable_work(number, axis), (double)value_nm);
 }
 
 // Fanuc's G10 L20: the zero of a further system for the axes named, kept among the parameters.
@@ -270,7 +255,11 @@ static nck_status_t set_further(nck_decode_t *self) {
     read_further(self, number, work_nm);
     for (unsigned axis = 0; axis < NCK_AXIS_MAX && status == NCK_OK; axis++) {
         if (!(self->words.axes & ((uint32_t)1 << axis))) continue;
-        status = set_further_axis(self, number, axis, work_nm[axis]);
+        const int64_t before_nm = self->modal.incremental ? work_nm[axis] : 0;
+        int64_t value_nm = 0;
+        status = read_zero(self, axis, before_nm, &value_nm);
+        if (status != NCK_OK) break;
+        status = nck_variable_wait(self, nck_variable_work(number, axis), (double)value_nm);
     }
     status = nck_variable_commit(self, status);
     const int in_force = self->place.work_system == NCK_WORK_SYSTEMS
@@ -283,8 +272,8 @@ static nck_status_t set_further(nck_decode_t *self) {
 static nck_status_t set_data(nck_decode_t *self) {
     const nck_words_t *const words = &self->words;
     int64_t list = 0;
-    if (!(words->letters & NCK_LETTER('L'))) return fail_missing(self, 'L');
-    if (!(words->letters & NCK_LETTER('P'))) return fail_missing(self, 'P');
+    if (!nck_has_word(self, 'L')) return nck_decode_fail_missing(self, NCK_STEP_OFFSET, 'L');
+    if (!nck_has_word(self, 'P')) return nck_decode_fail_missing(self, NCK_STEP_OFFSET, 'P');
     if (!nck_number_whole(&words->number['L' - 'A'], 0, &list)) list = 0; // none has that number
     const nck_status_t known = nck_table_lists(self, list);
     if (known != NCK_OK) return known;

@@ -169,7 +169,7 @@ nck_status_t nck_table_set(nck_decode_t *self, int64_t list) {
                                       : set_length(self, (uint32_t)number, list);
             return nck_variable_commit(self, status);
         }
-        return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_OFFSET, 'R', 0.0, 0.0);
+        return nck_decode_fail_missing(self, NCK_STEP_OFFSET, 'R');
     }
     status = set_offsets(self, (uint32_t)number, list);
     if (status == NCK_OK) status = set_shape(self, (uint32_t)number);

@@ -42,6 +42,10 @@ nck_status_t nck_decode_fail_code(nck_decode_t *self, nck_status_t code, nck_ste
                                 (own_g ? tenths - NCK_CODE_OWN_G : tenths) / 10.0, 0.0);
 }
 
+nck_status_t nck_decode_fail_missing(nck_decode_t *self, nck_step_t step, int letter) {
+    return nck_decode_fail_step(self, NCK_E_WORD_MISSING, step, letter, 0.0, 0.0);
+}
+
 nck_status_t nck_decode_only(nck_decode_t *self, const char *at, uint32_t whose) {
     if (self->tongue & whose) return NCK_OK;
     return nck_decode_fail_at(self, NCK_E_OTHER_BASE, at, 0, 0.0, (double)whose);

@@ -41,6 +41,8 @@ nck_status_t nck_decode_fail_word(nck_decode_t *self, nck_status_t code, int let
 nck_status_t nck_decode_fail_step(nck_decode_t *self, nck_status_t code, nck_step_t step,
                                   int letter, double value, double limit);
 nck_status_t nck_decode_fail_code(nck_decode_t *self, nck_status_t code, nck_step_t step);
+// The code of a step cannot do without a word: NCK_E_WORD_MISSING.
+nck_status_t nck_decode_fail_missing(nck_decode_t *self, nck_step_t step, int letter);
 
 // Is the text at a place in the language that is read? whose: bits of nck_tongue_t.
 // NCK_E_OTHER_BASE. Cost: constant.

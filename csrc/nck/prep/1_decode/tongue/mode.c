@@ -61,12 +61,6 @@ static void explain(nck_decode_t *self, nck_step_t step, uint32_t tenths, int is
     nck_decode_note_code(self, NCK_NOTE_MODE, step, tenths / 10.0);
 }
 
-// The word by which a code says what it begins, 0: it needs none.
-static int word_of(uint32_t tenths) {
-    if (tenths == G5_1) return 'Q';
-    return tenths == G5 || tenths == G8 ? 'P' : 0;
-}
-
 // E of G187: how far a corner may be rounded.
 static nck_status_t read_rounding(nck_decode_t *self) {
     int64_t value_nm = 0;
@@ -80,12 +74,13 @@ static nck_status_t read_rounding(nck_decode_t *self) {
 
 // G5 G5.1 G8 G103 G187.
 static nck_status_t choose(nck_decode_t *self, uint32_t tenths) {
-    const int letter = word_of(tenths);
+    // The word by which the code says what it begins, 0: it needs none.
+    const int letter = tenths == G5_1 ? 'Q' : tenths == G5 || tenths == G8 ? 'P' : 0;
     int64_t value = 0;
     nck_status_t status = NCK_OK;
     if (tenths == G187 && nck_has_word(self, 'E')) return read_rounding(self);
     if (letter != 0 && !nck_has_word(self, letter)) {
-        return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_PATH, letter, 0.0, 0.0);
+        return nck_decode_fail_missing(self, NCK_STEP_PATH, letter);
     }
     if (letter != 0) {
         status = nck_decode_whole(self, (char)letter, NCK_DECODE_VALUE_MAX, 0, &value);
