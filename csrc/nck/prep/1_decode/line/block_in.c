@@ -129,13 +129,6 @@ static nck_status_t read_target(nck_decode_t *self, const nck_block_in_t *block,
     return NCK_OK;
 }
 
-// G0 … G3 in tenths.
-static uint16_t motion_of(const nck_block_in_t *block) {
-    if (block->kind == NCK_IN_RAPID) return 0;
-    if (block->kind == NCK_IN_LINE) return 10;
-    return block->turns < 0 ? 20 : 30;
-}
-
 nck_status_t nck_decode_give_pushed(nck_decode_t *self, nck_block_t *out) {
     const nck_block_in_t *const block = &self->pushed;
     switch (block->kind) {
@@ -145,9 +138,14 @@ nck_status_t nck_decode_give_pushed(nck_decode_t *self, nck_block_t *out) {
     case NCK_IN_T: return nck_decode_set_tool(self, block->value, out);
     default: {
         int64_t target_nm[NCK_AXIS_MAX];
-        self->words.code[NCK_STEP_MOTION] = motion_of(block);
-        self->modal.motion = self->words.code[NCK_STEP_MOTION];
-        self->modal.group = (uint8_t)self->modal.motion;
+        // G0 … G3 in tenths.
+        const uint8_t code = block->kind == NCK_IN_RAPID  ? 0
+                             : block->kind == NCK_IN_LINE ? 10
+                             : block->turns < 0           ? 20
+                                                          : 30;
+        self->words.code[NCK_STEP_MOTION] = code;
+        self->modal.motion = code;
+        self->modal.group = code;
         self->words.axes = block->axes;
         if (block->kind == NCK_IN_ARC) self->modal.plane = block->plane;
         const nck_status_t status = read_target(self, block, target_nm);

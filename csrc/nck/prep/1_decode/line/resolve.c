@@ -35,12 +35,6 @@ static void claim_dwell(nck_decode_t *self) {
     }
 }
 
-// G70 … G73.
-static int follows(const nck_decode_t *self) {
-    return has(&self->words, NCK_STEP_MOTION)
-           && nck_decode_follows(self, self->words.code[NCK_STEP_MOTION]);
-}
-
 // C of a lathe that speaks Fanuc's language and has no such axis: a corner's.
 static uint32_t corner_letter(const nck_decode_t *self) {
     const int has_axis = NCK_AXIS_MAX > AXIS_C && (self->place.axes >> AXIS_C & 1u);
@@ -51,10 +45,10 @@ static uint32_t corner_letter(const nck_decode_t *self) {
 static uint32_t axis_letters(const nck_decode_t *self) {
     const uint32_t letters = self->words.letters & NCK_LETTERS_AXES & ~corner_letter(self);
     const int dwells = has(&self->words, NCK_STEP_DWELL);
-    const int screws = self->lathe && has(&self->words, NCK_STEP_MOTION)
-                       && self->words.code[NCK_STEP_MOTION] == NCK_MOTION_SCREW;
-    if (self->lathe && follows(self)) return 0; // U and W are what is left on the contour
-    if (screws) return letters & ~NCK_LETTER('A'); // the thread's angle
+    const int moves = self->lathe && has(&self->words, NCK_STEP_MOTION);
+    const int32_t motion = self->words.code[NCK_STEP_MOTION];
+    if (moves && nck_decode_follows(self, motion)) return 0; // U and W are what the contour keeps
+    if (moves && motion == NCK_MOTION_SCREW) return letters & ~NCK_LETTER('A'); // its angle
     if (!dwells || !nck_is_fanuc(self)) return letters;
     return letters & ~(NCK_LETTER('X') | NCK_LETTER('U'));
 }
