@@ -8,14 +8,6 @@
 
 #include <string.h> // memcpy memset
 
-// Notes on what a language has no word for: G90.1 or another end than the text's, G90 in system A.
-static uint32_t not_left_open(const nck_decode_t *self) {
-    const uint32_t centre = self->tongue != NCK_TONGUE_LINUXCNC;
-    const uint32_t end = self->tongue == NCK_TONGUE_MARLIN;
-    const uint32_t distance = (uint32_t)nck_lathe_is_a(self);
-    return centre << NCK_NOTE_ARC_CENTRE | end << NCK_NOTE_NO_END | distance << NCK_NOTE_DISTANCE;
-}
-
 static void begin_modes(nck_decode_t *self) {
     const nck_machine_t *const machine = self->machine;
     memset(&self->modal, 0, sizeof self->modal);
@@ -37,7 +29,12 @@ static void begin_modes(nck_decode_t *self) {
     self->modal.feed_word = machine->dialect.feed_default;
     self->modal.speed = -1.0;
     self->entry.waits = machine->dialect.from_line != 0 ? NCK_ENTRY_BEGINS : NCK_ENTRY_NOT;
-    self->finding.given = not_left_open(self);
+    // What a language has no word for: G90.1, an end other than the text's, G90 in system A.
+    const uint32_t centre = self->tongue != NCK_TONGUE_LINUXCNC;
+    const uint32_t end = self->tongue == NCK_TONGUE_MARLIN;
+    const uint32_t distance = (uint32_t)nck_lathe_is_a(self);
+    self->finding.given = centre << NCK_NOTE_ARC_CENTRE | end << NCK_NOTE_NO_END
+                          | distance << NCK_NOTE_DISTANCE;
     if (NCK_HAS_CYCLES) {
         self->held.rough.retract_nm = NCK_ROUGH_RETRACT_NM;
         self->held.peck.back_nm = NCK_ROUGH_RETRACT_NM;

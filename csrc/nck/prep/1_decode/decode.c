@@ -59,15 +59,11 @@ static int has_contour(const nck_decode_t *self) {
     return (self->held.contour.mode & NCK_CONTOUR_LINES) != 0;
 }
 
-// A line of a contour.
-static nck_status_t read_contour(nck_decode_t *self) {
-    nck_status_t status = nck_contour_words(self);
-    if (status == NCK_OK) status = nck_decode_resolve(self);
-    return status == NCK_OK ? nck_contour_check(self) : status;
-}
-
 static nck_status_t read_watched(nck_decode_t *self) {
-    const nck_status_t status = has_contour(self) ? read_contour(self) : nck_decode_resolve(self);
+    const int has = has_contour(self);
+    nck_status_t status = has ? nck_contour_words(self) : NCK_OK;
+    if (status == NCK_OK) status = nck_decode_resolve(self);
+    if (status == NCK_OK && has) status = nck_contour_check(self);
     return status == NCK_OK ? nck_corner_words(self) : status;
 }
 
@@ -87,12 +83,9 @@ static nck_status_t read_words(nck_decode_t *self, const char *at) {
     return is_watched(self) ? read_watched(self) : nck_decode_resolve(self);
 }
 
-static int is_binary(const nck_decode_t *self) {
-    return self->line.binary || memchr(self->line.text, '\0', self->line.size) != NULL;
-}
-
 static nck_status_t read_line(nck_decode_t *self) {
-    if (is_binary(self)) return fail_last(self, NCK_E_BINARY, 0.0);
+    const int is_binary = self->line.binary || memchr(self->line.text, '\0', self->line.size);
+    if (is_binary) return fail_last(self, NCK_E_BINARY, 0.0);
     const char *const at = begin_of_line(self);
     if (*at == '\n') return NCK_OK;
     if (*at == '%') {
@@ -104,12 +97,6 @@ static nck_status_t read_line(nck_decode_t *self) {
     const char *behind = at;
     const int skips = *at == '/' && nck_decode_skips(self, &behind);
     return skips ? NCK_OK : read_words(self, behind);
-}
-
-// A line waits that may be on the way of a jump.
-static int is_jumped(const nck_decode_t *self) {
-    const int seeks = NCK_HAS_CALLS && self->macro.seek.kind != NCK_SEEK_NOT;
-    return seeks && self->line.state == NCK_LINE_WAITING;
 }
 
 static void release_line(nck_decode_t *self) {
@@ -310,7 +297,8 @@ static inline int give_quick(nck_decode_t *self, nck_block_t *out) {
 // The line in work, or the one that waits and is not left out; before it what the program begins
 // with.
 static nck_status_t pull_line(nck_decode_t *self, nck_block_t *block_out) {
-    if (is_jumped(self)) {
+    const int seeks = NCK_HAS_CALLS && self->macro.seek.kind != NCK_SEEK_NOT;
+    if (seeks && self->line.state == NCK_LINE_WAITING) {
         // A line on the way of a jump is not read. NCK_OK: the jump ends at it, and it is to be
         // done.
         const nck_seek_kind_t kind = (nck_seek_kind_t)self->macro.seek.kind;

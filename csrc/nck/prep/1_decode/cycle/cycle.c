@@ -204,19 +204,15 @@ static nck_status_t check_circle(nck_decode_t *self, int64_t count, int64_t *las
     return status;
 }
 
-// Whether the steps from hole to hole are of an angle.
-static int turns_on(const nck_decode_t *self) {
-    const int polar = (self->layout.on & NCK_LAYOUT_POLAR) != 0 || self->words.polars != 0;
-    return self->modal.incremental && polar;
-}
-
 // The first hole, and the way from one to the next. last_nm: where the axes stand in the end.
 static nck_status_t place_holes(nck_decode_t *self, int64_t count, int64_t *last_nm) {
     nck_cycle_t *const cycle = &self->held.cycle;
     const uint32_t axes = self->words.axes;
     self->words.axes = axes & ~((uint32_t)1 << cycle->drill);
     nck_status_t status = nck_decode_target(self, 0, cycle->hole_nm);
-    cycle->circles = count > 1 && turns_on(self);
+    // The steps from hole to hole are of an angle.
+    const int polar = ((self->layout.on & NCK_LAYOUT_POLAR) | self->words.polars) != 0;
+    cycle->circles = count > 1 && self->modal.incremental && polar;
     memcpy(last_nm, cycle->hole_nm, sizeof cycle->hole_nm);
     for (unsigned axis = 0; axis < NCK_AXIS_MAX && status == NCK_OK; axis++) {
         const int64_t way_nm = cycle->hole_nm[axis] - self->place.position_nm[axis];

@@ -49,8 +49,6 @@ static int speeds(const nck_modes_t *now, const nck_modes_t *then) {
                     || differ(now->surface, then->surface));
 }
 
-static uint32_t coolants(uint32_t on) { return (on & 1u ? MIST : 0u) | (on & 2u ? FLOOD : 0u); }
-
 static void restore(nck_decode_t *self, const nck_state_t *state) {
     const nck_modes_t now = self->modal;
     const int turns = now.spindle_on != state->modal.spindle_on
@@ -58,8 +56,9 @@ static void restore(nck_decode_t *self, const nck_state_t *state) {
     uint32_t bits = speeds(&now, &state->modal) ? SPEED : 0u;
     if (turns) bits |= SPINDLE;
     if (now.coolant & (uint32_t)~state->modal.coolant) bits |= OFF;
-    self->states.pending = bits | coolants(bits & OFF ? state->modal.coolant
-                                           : state->modal.coolant & (uint32_t)~now.coolant);
+    const uint32_t on = bits & OFF ? state->modal.coolant
+                                   : state->modal.coolant & (uint32_t)~now.coolant;
+    self->states.pending = bits | (on & 1u ? MIST : 0u) | (on & 2u ? FLOOD : 0u);
     self->modal = state->modal;
     self->modal.motion = now.motion;
     self->modal.tool_next = now.tool_next;

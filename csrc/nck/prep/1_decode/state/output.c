@@ -24,14 +24,6 @@ int nck_decode_turns(const nck_decode_t *self) {
            && (self->modal.surface_on ? self->modal.surface : self->modal.speed) > 0.0;
 }
 
-// How a block has the spindle.
-static void spin(const nck_decode_t *self, nck_block_t *out) {
-    if (!nck_decode_turns(self)) return;
-    out->spindle_rpm = self->modal.surface_on ? nck_decode_speed_most(self) : self->modal.speed;
-    out->surface = self->modal.surface_on ? self->modal.surface : 0.0;
-    out->spindle_x_mm = (double)self->place.origin_nm[NCK_AXIS_X] / (double)NCK_COUNTS_PER_MM;
-}
-
 // What only some blocks have; member by member, for one clearing of all of it takes longer.
 static inline void clear(nck_block_t *out) {
     out->centre_mm[0] = 0.0;
@@ -58,7 +50,11 @@ void nck_decode_block(const nck_decode_t *self, nck_block_kind_t kind, nck_block
     memcpy(out->tool_nm, self->place.tool_nm, sizeof out->tool_nm);
     for (unsigned axis = 0; axis < 3; axis++) out->target_nm[axis] -= out->tool_nm[axis];
     clear(out);
-    if (nck_decode_turns(self)) spin(self, out);
+    if (nck_decode_turns(self)) {
+        out->spindle_rpm = self->modal.surface_on ? nck_decode_speed_most(self) : self->modal.speed;
+        out->surface = self->modal.surface_on ? self->modal.surface : 0.0;
+        out->spindle_x_mm = (double)self->place.origin_nm[NCK_AXIS_X] / (double)NCK_COUNTS_PER_MM;
+    }
     out->kind = (uint8_t)kind;
     out->plane = self->modal.plane;
     out->tolerance_mm = self->modal.tolerance_mm;

@@ -64,12 +64,6 @@ static int moves_zero(const nck_words_t *words) {
     return sets || (words->codes & codes) != 0;
 }
 
-// Under G91 all words are steps.
-static int counts_steps(const nck_decode_t *self) {
-    if (!(self->words.codes & NCK_STEP(NCK_STEP_DISTANCE))) return self->modal.incremental;
-    return self->words.code[NCK_STEP_DISTANCE] == 910;
-}
-
 // Whether an axis drills: its steps would count from R.
 static int is_depth(const nck_decode_t *self, unsigned axis) {
     const int says = (self->words.codes & NCK_STEP(NCK_STEP_MOTION)) != 0;
@@ -96,7 +90,9 @@ static nck_status_t take_step(nck_decode_t *self, unsigned axis, int letter) {
     words->column[place - 'A'] = words->column[letter - 'A'];
     words->letters = (words->letters & ~NCK_LETTER(letter)) | NCK_LETTER(place);
     words->axes = (words->axes & ~((uint32_t)1 << (axis + AXIS_U))) | (uint32_t)1 << axis;
-    if (counts_steps(self)) return NCK_OK;
+    const int says = (words->codes & NCK_STEP(NCK_STEP_DISTANCE)) != 0;
+    const int steps = says ? words->code[NCK_STEP_DISTANCE] == 910 : self->modal.incremental;
+    if (steps) return NCK_OK; // under G91 all words are
     nck_status_t status = nck_decode_axis_word(self, axis, &at_nm);
     if (status != NCK_OK) return status;
     at_nm += self->place.position_nm[axis] - self->place.origin_nm[axis];
