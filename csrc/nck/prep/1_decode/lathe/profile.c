@@ -38,16 +38,15 @@ static nck_status_t read_depth(nck_decode_t *self, int64_t *out) {
 
 // ---- Fanuc's first line: what holds for the cycles behind it
 
-static nck_status_t keep_pattern(nck_decode_t *self) {
+// U W R; in one line I K D. count: of the first line, 0 if nothing has said it.
+static nck_status_t read_pattern(nck_decode_t *self, const char *letters, int64_t *count) {
     nck_rough_t *const rough = &self->held.rough;
-    int64_t count = (int64_t)rough->patterns;
-    nck_status_t status = read_length(self, 'U', any_nm, &rough->pattern_nm[0]);
-    if (status == NCK_OK) status = read_length(self, 'W', any_nm, &rough->pattern_nm[1]);
-    if (status == NCK_OK) status = nck_decode_whole(self, 'R', PASSES_MOST, count, &count);
-    if (status != NCK_OK) return status;
-    if (nck_has_word(self, 'R') && count < 2) return nck_decode_fail_range(self, 'R', 2.0);
-    rough->patterns = (uint32_t)count;
-    return NCK_OK;
+    *count = (int64_t)rough->patterns;
+    nck_status_t status = read_length(self, letters[0], any_nm, &rough->pattern_nm[0]);
+    if (status == NCK_OK) status = read_length(self, letters[1], any_nm, &rough->pattern_nm[1]);
+    if (status == NCK_OK) status = nck_decode_whole(self, letters[2], PASSES_MOST, *count, count);
+    if (status != NCK_OK || *count >= 2 || !nck_has_word(self, letters[2])) return status;
+    return nck_decode_fail_range(self, letters[2], 2.0);
 }
 
 static nck_status_t keep_depth(nck_decode_t *self) {
@@ -68,8 +67,14 @@ static nck_status_t keep_words(nck_decode_t *self) {
         if (nck_has_word(self, others[k])) return fail_missing(self, 'P');
     }
     if (code_of(self) == NCK_MOTION_FINISH) return fail_missing(self, 'P');
-    const nck_status_t status = code_of(self) == NCK_MOTION_PATTERN ? keep_pattern(self)
-                                                                    : keep_depth(self);
+    nck_status_t status = NCK_OK;
+    if (code_of(self) == NCK_MOTION_PATTERN) {
+        int64_t count = 0;
+        status = read_pattern(self, "UWR", &count);
+        if (status == NCK_OK) self->held.rough.patterns = (uint32_t)count;
+    } else {
+        status = keep_depth(self);
+    }
     return status == NCK_OK ? NCK_EMPTY : status;
 }
 
@@ -107,22 +112,15 @@ static nck_status_t read_levels(nck_decode_t *self) {
     return NCK_OK;
 }
 
-// In one line G73 has I K D for the U W R of its first one.
 static nck_status_t read_patterns(nck_decode_t *self) {
-    nck_rough_t *const rough = &self->held.rough;
-    int64_t count = (int64_t)rough->patterns;
+    int64_t count = 0;
     if (nck_has_word(self, 'R')) {
         return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, 'R', 0.0, 0.0);
     }
-    nck_status_t status = read_length(self, 'I', any_nm, &rough->pattern_nm[0]);
-    if (status == NCK_OK) status = read_length(self, 'K', any_nm, &rough->pattern_nm[1]);
-    if (status == NCK_OK) status = nck_decode_whole(self, 'D', PASSES_MOST, count, &count);
+    const nck_status_t status = read_pattern(self, "IKD", &count);
     if (status != NCK_OK) return status;
-    if (count < 2) {
-        return nck_has_word(self, 'D') ? nck_decode_fail_range(self, 'D', 2.0)
-                                       : fail_missing(self, 'R');
-    }
-    rough->passes = (uint32_t)count;
+    if (count < 2) return fail_missing(self, 'R');
+    self->held.rough.passes = (uint32_t)count;
     return NCK_OK;
 }
 
