@@ -14,6 +14,12 @@
 #include "nck/base/real.h"      // nck_real nck_sqrt
 #include "nck/base/trig_math.h" // NCK_PI, what nck_atan2 stands for
 
+// X Y Z follow one another in a circle: of the plane G17 … G19 axis 0 turns into axis 1, and axis 2
+// stands on it.
+static inline unsigned nck_plane_axis(unsigned plane, unsigned k) {
+    return (2u * (plane - 17u) + k) % 3u;
+}
+
 // a·b and a × b in the plane.
 static inline nck_real nck_arc_inner(NCK_IN nck_real *a, NCK_IN nck_real *b) {
     return a[0] * b[0] + a[1] * b[1];

@@ -4,14 +4,9 @@
 
 #include <string.h> // memcpy memset
 
+#include "nck/base/arc_math.h"         // nck_plane_axis
 #include "nck/base/real.h"             // nck_fabs
 #include "nck/prep/2_toolcomp/parts.h" // nck_comp_…
-
-// Plane axes in the order of G17 XY, G18 ZX, G19 YZ.
-static void axes_of(unsigned plane, uint8_t *axis_out) {
-    axis_out[0] = plane == 17 ? NCK_AXIS_X : plane == 18 ? NCK_AXIS_Z : NCK_AXIS_Y;
-    axis_out[1] = plane == 17 ? NCK_AXIS_Y : plane == 18 ? NCK_AXIS_X : NCK_AXIS_Z;
-}
 
 void nck_toolcomp_init(nck_toolcomp_t *self, const nck_machine_t *machine) {
     memset(self, 0, sizeof *self);
@@ -21,12 +16,8 @@ void nck_toolcomp_init(nck_toolcomp_t *self, const nck_machine_t *machine) {
 
 void nck_toolcomp_move(const nck_toolcomp_t *self, nck_block_t *block) {
     if (block->kind > NCK_BLOCK_ARC && block->kind < NCK_BLOCK_THREAD) return;
-    if (block->kind == NCK_BLOCK_ARC) {
-        uint8_t axis[2];
-        axes_of(block->plane, axis);
-        for (unsigned k = 0; k < 2; k++) {
-            block->centre_mm[k] += (double)block->tool_nm[axis[k]] * 1e-6;
-        }
+    for (unsigned k = 0; k < 2 && block->kind == NCK_BLOCK_ARC; k++) {
+        block->centre_mm[k] += (double)block->tool_nm[nck_plane_axis(block->plane, k)] * 1e-6;
     }
     for (int x = NCK_AXIS_X; x <= NCK_AXIS_Z; x++) {
         if (self->machine->axis[x].present) block->target_nm[x] += block->tool_nm[x];
@@ -58,7 +49,6 @@ static nck_status_t stay_away(nck_toolcomp_t *self, nck_block_t *block) {
 
 static void switch_on(nck_toolcomp_t *self, const nck_block_t *block) {
     const double radius = block->output.value;
-    axes_of(block->plane, self->axis);
     for (unsigned k = 0; k < NCK_AXIS_MAX; k++) self->reached_nm[k] = block->target_nm[k];
     if (!self->away) memcpy(self->given_nm, self->reached_nm, sizeof self->given_nm);
     memset(&self->last, 0, sizeof self->last);
@@ -70,6 +60,7 @@ static void switch_on(nck_toolcomp_t *self, const nck_block_t *block) {
     self->radius = nck_fabs(radius);
     self->side = radius < 0.0 ? -1.0 : 1.0;
     for (unsigned k = 0; k < 2; k++) {
+        self->axis[k] = (uint8_t)nck_plane_axis(block->plane, k);
         self->nose[k] = block->centre_mm[k];
         self->at[k] = (double)self->given_nm[self->axis[k]] * 1e-6 - self->nose[k];
     }

@@ -6,6 +6,7 @@
 #include <stddef.h> // offsetof
 #include <string.h> // memcpy memset
 
+#include "nck/base/arc_math.h"             // nck_plane_axis
 #include "nck/base/budget.h"               // NCK_TOLERANCE_MIN
 #include "nck/prep/3_smooth/divide.h"      // nck_divide_…
 #include "nck/prep/3_smooth/metric_math.h" // nck_metric_of
@@ -46,8 +47,8 @@ static inline void set_end(const nck_smooth_t *self, const nck_block_t *block, d
 static void set_arc(nck_seg_t *seg, const nck_block_t *block) {
     nck_seg_arc_t *const arc = &seg->shape.arc;
     seg->kind = NCK_SEG_ARC;
-    arc->axis_u = block->plane == 17 ? NCK_AXIS_X : block->plane == 18 ? NCK_AXIS_Z : NCK_AXIS_Y;
-    arc->axis_v = block->plane == 17 ? NCK_AXIS_Y : block->plane == 18 ? NCK_AXIS_X : NCK_AXIS_Z;
+    arc->axis_u = (uint8_t)nck_plane_axis(block->plane, 0);
+    arc->axis_v = (uint8_t)nck_plane_axis(block->plane, 1);
     arc->centre_u = block->centre_mm[0];
     arc->centre_v = block->centre_mm[1];
     arc->sweep = block->sweep_rad;

@@ -10,6 +10,7 @@
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail_word nck_decode_give_dwell …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_length_word nck_decode_travel
 #include "nck/prep/1_decode/motion/motion.h" // nck_decode_give_exact
+#include "nck/base/arc_math.h" // nck_plane_axis
 
 #include <string.h> // memcpy
 
@@ -31,16 +32,6 @@ static const uint8_t from_below[] = {PART_OVER, PART_STOP, PART_ANGLE, PART_ASID
 int nck_bore_has(const nck_decode_t *self, int32_t motion) {
     return NCK_HAS_CYCLES && self->tongue == NCK_TONGUE_FANUC
            && (motion == NCK_MOTION_SCREW || motion == NCK_MOTION_BORE_BACK);
-}
-
-static unsigned plane_axis(const nck_decode_t *self, unsigned k) {
-    const unsigned first = self->modal.plane == 17   ? NCK_AXIS_X
-                           : self->modal.plane == 18 ? NCK_AXIS_Z
-                                                     : NCK_AXIS_Y;
-    const unsigned second = self->modal.plane == 17   ? NCK_AXIS_Y
-                            : self->modal.plane == 18 ? NCK_AXIS_X
-                                                      : NCK_AXIS_Z;
-    return k == 0 ? first : second;
 }
 
 nck_status_t nck_bore_shift(nck_decode_t *self) {
@@ -74,7 +65,7 @@ nck_status_t nck_bore_fits(nck_decode_t *self, const int64_t *last_nm) {
     const int bores = nck_bore_has(self, self->modal.motion);
     nck_status_t status = NCK_OK;
     for (unsigned k = 0; k < 2 && status == NCK_OK; k++) {
-        const unsigned axis = plane_axis(self, k);
+        const unsigned axis = nck_plane_axis(self->modal.plane, k);
         if (!bores || cycle->shift_nm[k] == 0) continue;
         status = nck_decode_travel(self, axis, cycle->hole_nm[axis] + cycle->shift_nm[k]);
         if (status != NCK_OK) continue;
@@ -112,7 +103,7 @@ static nck_status_t move(nck_decode_t *self, part_t part, nck_block_t *out) {
         memcpy(to_nm, cycle->hole_nm, sizeof to_nm);
         to_nm[cycle->drill] = height_nm;
         for (unsigned k = 0; k < 2 && shifts; k++) {
-            to_nm[plane_axis(self, k)] += cycle->shift_nm[k];
+            to_nm[nck_plane_axis(self->modal.plane, k)] += cycle->shift_nm[k];
         }
     }
     if (part == PART_RISE && *drill_nm < level_nm[NCK_LEVEL_R]) *drill_nm = level_nm[NCK_LEVEL_R];

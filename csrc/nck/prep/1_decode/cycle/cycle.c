@@ -13,6 +13,7 @@
 #include "nck/prep/1_decode/macro/macro.h" // nck_decode_moved
 #include "nck/prep/1_decode/motion/motion.h" // nck_decode_cutting_feed nck_decode_cycle_fits …
 #include "nck/prep/1_decode/lathe/lathe.h" // nck_decode_peck nck_decode_profile …
+#include "nck/base/arc_math.h" // nck_plane_axis
 
 #include <stddef.h> // NULL
 #include <string.h> // memcmp memcpy
@@ -87,7 +88,7 @@ static void keep_or_forget(nck_decode_t *self, int32_t before) {
     nck_cycle_t *const cycle = &self->held.cycle;
     const int32_t code = self->words.code[NCK_STEP_MOTION];
     const unsigned drill = self->lathe ? nck_motion_drill_of_lathe(code)
-                                       : (unsigned)(19 - self->modal.plane + NCK_AXIS_X);
+                                       : nck_plane_axis(self->modal.plane, 2);
     const int cycled = nck_motion_is_cycle(before) && drills(self, before)
                        && cycle->drill == drill;
     if (!cycled || (code != before && !nck_is_fanuc(self))) cycle->said = 0;

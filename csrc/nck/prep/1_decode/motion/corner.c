@@ -8,7 +8,7 @@
 #include "nck/prep/1_decode/state/state.h" // nck_decode_block nck_decode_fail nck_decode_leave
 #include "nck/prep/1_decode/number/number.h" // nck_decode_as_word nck_decode_counts_of …
 #include "nck/prep/1_decode/place/place.h" // nck_layout_way
-#include "nck/base/arc_math.h" // nck_arc_norm
+#include "nck/base/arc_math.h" // nck_arc_norm nck_plane_axis
 #include "nck/base/real.h" // nck_fabs nck_mm_of nck_nm_of nck_sincos
 
 #include <string.h> // memcpy
@@ -105,8 +105,7 @@ static nck_status_t fail(nck_decode_t *self, double value) {
 }
 
 static void choose_plane(const nck_block_t *block, unsigned *axes) {
-    axes[0] = block->plane == 17 ? NCK_AXIS_X : block->plane == 18 ? NCK_AXIS_Z : NCK_AXIS_Y;
-    axes[1] = block->plane == 17 ? NCK_AXIS_Y : block->plane == 18 ? NCK_AXIS_X : NCK_AXIS_Z;
+    for (unsigned k = 0; k < 2; k++) axes[k] = nck_plane_axis(block->plane, k);
 }
 
 // Where a block ends as a machine position.

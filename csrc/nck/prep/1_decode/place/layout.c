@@ -5,6 +5,7 @@
 #include "nck/prep/1_decode/place/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail nck_decode_fail_code …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_as_word nck_decode_axis_word …
+#include "nck/base/arc_math.h" // nck_plane_axis
 #include "nck/base/real.h" // nck_floor nck_fabs nck_sqrt nck_rounded
 #include "nck/base/trig_math.h" // nck_sincos nck_atan2 NCK_PI
 
@@ -14,8 +15,8 @@ static const double factor_most = 1000.0; // of scaling, and the least is its in
 static const double degrees_most = 1e6;
 
 void nck_plane_axes(const nck_decode_t *self, unsigned *u, unsigned *v) {
-    *u = self->modal.plane == 17 ? NCK_AXIS_X : self->modal.plane == 18 ? NCK_AXIS_Z : NCK_AXIS_Y;
-    *v = self->modal.plane == 17 ? NCK_AXIS_Y : self->modal.plane == 18 ? NCK_AXIS_X : NCK_AXIS_Z;
+    *u = nck_plane_axis(self->modal.plane, 0);
+    *v = nck_plane_axis(self->modal.plane, 1);
 }
 
 static nck_status_t fail(nck_decode_t *self, nck_status_t code, int letter, double value) {
