@@ -16,16 +16,8 @@ static nck_status_t fail_missing(nck_decode_t *self, int letter) {
                                 self->words.code[NCK_STEP_MOTION] / 10.0, 0.0);
 }
 
-// P and Q without a point count least increments; 0: that is no whole number of them.
-static nck_status_t read_increments(nck_decode_t *self, char letter, int64_t *step_out) {
-    if (nck_decode_says_point(self, letter)) {
-        return nck_decode_length_word(self, letter, step_out);
-    }
-    if (!nck_decode_increments(self, letter, step_out)) *step_out = 0;
-    return NCK_OK;
-}
-
-// A step along X (P, in one line I) or Z (Q, K), without a sign.
+// A step along X (P, in one line I) or Z (Q, K), without a sign. P and Q without a point count
+// least increments; 0: that is no whole number of them.
 static nck_status_t read_step(nck_decode_t *self, unsigned k, int64_t *step_out) {
     const char letter = k == 0 ? 'P' : 'Q';
     const char other = k == 0 ? 'I' : 'K';
@@ -34,8 +26,12 @@ static nck_status_t read_step(nck_decode_t *self, unsigned k, int64_t *step_out)
         return nck_decode_fail_word(self, NCK_E_WORD_SHARED, other, 0.0, 0.0);
     }
     if (!nck_has_word(self, said)) return fail_missing(self, letter);
-    const nck_status_t status = said == other ? nck_decode_length_word(self, said, step_out)
-                                              : read_increments(self, said, step_out);
+    nck_status_t status = NCK_OK;
+    if (said == other || nck_decode_says_point(self, said)) {
+        status = nck_decode_length_word(self, said, step_out);
+    } else if (!nck_decode_increments(self, said, step_out)) {
+        *step_out = 0;
+    }
     if (status != NCK_OK || *step_out > 0) return status;
     return nck_decode_fail_range(self, said, 0.0);
 }

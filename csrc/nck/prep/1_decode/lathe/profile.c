@@ -29,13 +29,6 @@ static nck_status_t read_length(nck_decode_t *self, char letter, int64_t least_n
     return nck_decode_fail_range(self, letter, 0.0);
 }
 
-// Fanuc's D counts least increments where it has no point, and who wrote it may have meant lengths.
-static nck_status_t read_depth(nck_decode_t *self, int64_t *out) {
-    if (!nck_has_word(self, 'D')) return NCK_OK;
-    if (nck_decode_says_point(self, 'D')) return read_length(self, 'D', 1, out);
-    return nck_decode_fail_word(self, NCK_E_CONTOUR, 'D', nck_word_real(self, 'D'), 0.0);
-}
-
 // ---- Fanuc's first line: what holds for the cycles behind it
 
 // U W R; in one line I K D. count: of the first line, 0 if nothing has said it.
@@ -101,7 +94,12 @@ static nck_status_t read_levels(nck_decode_t *self) {
         if (!nck_has_word(self, others[k])) continue;
         return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, others[k], 0.0, 0.0);
     }
-    const nck_status_t status = read_depth(self, &depth_nm);
+    // Fanuc's D counts least increments where it has no point, and who wrote it may have meant
+    // lengths.
+    if (nck_has_word(self, 'D') && !nck_decode_says_point(self, 'D')) {
+        return nck_decode_fail_word(self, NCK_E_CONTOUR, 'D', nck_word_real(self, 'D'), 0.0);
+    }
+    const nck_status_t status = read_length(self, 'D', 1, &depth_nm);
     if (status != NCK_OK) return status;
     if (depth_nm <= 0) return fail_missing(self, code_of(self) == NCK_MOTION_ROUGH ? 'U' : 'W');
     rough->depth = (double)depth_nm / 1e6;
