@@ -99,8 +99,7 @@ static inline uint32_t moves_of(const nck_decode_t *self) {
            | (uint32_t)self->modal.incremental << NCK_FORCE_INCREMENTAL;
 }
 
-// And all else.
-static uint32_t others_of(const nck_decode_t *self) {
+uint32_t nck_decode_modes(const nck_decode_t *self) {
     const nck_modes_t *const modal = &self->modal;
     uint32_t modes = 1u << NCK_FORCE_KNOWN | self->place.work_system << NCK_FORCE_SYSTEM;
     modes |= (uint32_t)(modal->plane - 17) << NCK_FORCE_PLANE;
@@ -110,10 +109,9 @@ static uint32_t others_of(const nck_decode_t *self) {
     modes |= (uint32_t)modal->coolant << NCK_FORCE_COOLANT;
     modes |= (uint32_t)modal->inch << NCK_FORCE_INCH;
     modes |= (uint32_t)modal->diameter << NCK_FORCE_DIAMETER;
-    return modes | (uint32_t)modal->spindle_on << NCK_FORCE_SPINDLE_ON;
+    modes |= (uint32_t)modal->spindle_on << NCK_FORCE_SPINDLE_ON;
+    return modes | moves_of(self);
 }
-
-uint32_t nck_decode_modes(const nck_decode_t *self) { return others_of(self) | moves_of(self); }
 
 uint32_t nck_decode_moves(const nck_decode_t *self, uint32_t modes) {
     const uint32_t moves = NCK_FORCE_MOTION_MASK | 1u << NCK_FORCE_INCREMENTAL;

@@ -252,30 +252,25 @@ static nck_status_t read_centre(nck_decode_t *self, int64_t *centre_nm) {
     return NCK_OK;
 }
 
-// A factor. Without a point its unit goes by the control.
-static nck_status_t read_factor(nck_decode_t *self, int letter, double *factor_out) {
-    const nck_status_t status = nck_decode_plain_word(self, letter, factor_out);
-    if (status != NCK_OK) return status;
-    const double size_of = nck_fabs(*factor_out);
-    if (size_of >= 1.0 / factor_most && size_of <= factor_most) return NCK_OK;
-    const double word = nck_word_real(self, letter);
-    const double most = size_of > 0.0 ? factor_most * nck_fabs(word) / size_of : factor_most;
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, word, most);
-}
-
-// P for all axes, or I J K; one that is not said is 1.
+// P for all axes, or I J K; one that is not said is 1. Without a point their unit goes by the
+// control.
 static nck_status_t read_factors(nck_decode_t *self, double *factor) {
     const uint32_t each = self->words.letters & NCK_LETTERS_CENTRE;
-    nck_status_t status = NCK_OK;
     if (nck_has_word(self, 'P') && each) {
         return nck_decode_fail_word(self, NCK_E_WORD_SHARED, 'P', 0.0, 0.0);
     }
     if (!nck_has_word(self, 'P') && !each) return fail(self, NCK_E_WORD_MISSING, 'P', 51.0);
-    for (unsigned k = 0; k < 3 && status == NCK_OK; k++) {
+    for (unsigned k = 0; k < 3; k++) {
         const int letter = each ? (int)('I' + k) : 'P';
-        if (nck_has_word(self, letter)) status = read_factor(self, letter, &factor[k]);
+        if (!nck_has_word(self, letter)) continue;
+        const nck_status_t status = nck_decode_plain_word(self, letter, &factor[k]);
+        if (status != NCK_OK) return status;
+        const double size_of = nck_fabs(factor[k]), word = nck_fabs(nck_word_real(self, letter));
+        if (size_of >= 1.0 / factor_most && size_of <= factor_most) continue;
+        const double most = size_of > 0.0 ? factor_most * word / size_of : factor_most;
+        return nck_decode_fail_range(self, letter, most);
     }
-    return status;
+    return NCK_OK;
 }
 
 // G51.

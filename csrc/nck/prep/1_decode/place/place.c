@@ -29,16 +29,6 @@ static nck_status_t set_length(nck_decode_t *self) {
     return NCK_EMPTY;
 }
 
-// The offset of a tool, NULL: none, comes in place of the one in force; G43.2: on top of it.
-static void take_length(nck_decode_t *self, const nck_tool_t *tool) {
-    const int adds = self->words.code[NCK_STEP_LENGTH] == 432;
-    for (unsigned axis = 0; axis < 3; axis++) {
-        if (!adds) self->place.tool_nm[axis] = 0;
-        if (tool != NULL) self->place.tool_nm[axis] += tool->offset_nm[axis];
-    }
-    nck_decode_origin(self);
-}
-
 // Is a tool's offset in the table? NCK_EMPTY: it has none, as no tool has where there is no table.
 static nck_status_t find_length(nck_decode_t *self, int64_t number, nck_tool_t *tool_out) {
     const int has_h = (self->words.letters & NCK_LETTER('H')) != 0;
@@ -69,10 +59,14 @@ nck_status_t nck_decode_length(nck_decode_t *self, nck_block_t *out) {
                                     self->words.code[NCK_STEP_LENGTH] / 10.0, 0.0);
     }
     nck_status_t status = nck_decode_whole(self, 'H', NCK_DECODE_VALUE_MAX, number, &number);
-    nck_tool_t tool;
+    nck_tool_t tool = {0};
     if (status == NCK_OK) status = find_length(self, number, &tool);
     if (status != NCK_OK && status != NCK_EMPTY) return status;
-    take_length(self, status == NCK_OK ? &tool : NULL);
+    for (unsigned axis = 0; axis < 3; axis++) {
+        if (code != 432) self->place.tool_nm[axis] = 0;
+        self->place.tool_nm[axis] += tool.offset_nm[axis];
+    }
+    nck_decode_origin(self);
     return NCK_EMPTY;
 }
 
