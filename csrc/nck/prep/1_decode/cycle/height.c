@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // R, the depth and the levels of drilling cycles.
 #include "nck/prep/1_decode/cycle/height.h"
-#include "nck/prep/1_decode/state/state.h" // nck_decode_fail_step nck_decode_fail_word
+#include "nck/prep/1_decode/state/state.h" // nck_decode_fail_missing nck_decode_fail_word
 #include "nck/prep/1_decode/number/number.h" // nck_decode_as_word nck_decode_travel …
 #include "nck/prep/1_decode/tongue/tongue.h" // nck_lathe_is_a
 

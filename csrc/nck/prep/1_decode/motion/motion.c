@@ -2,7 +2,7 @@
 // Moves: targets in machine coordinates, travel, feed, and the way to the reference points.
 #include "nck/prep/1_decode/motion/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_assume nck_decode_block nck_decode_fail …
-#include "nck/prep/1_decode/number/number.h" // nck_decode_travel nck_number_real nck_number_whole
+#include "nck/prep/1_decode/number/number.h" // nck_decode_fail_range nck_decode_travel …
 #include "nck/prep/1_decode/tongue/tongue.h" // nck_words_set_axes
 #include "nck/prep/1_decode/place/place.h" // nck_decode_target
 #include "nck/prep/1_decode/macro/macro.h" // nck_decode_moved

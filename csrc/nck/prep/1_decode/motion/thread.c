@@ -2,7 +2,7 @@
 // A pass of a thread: can it be made, and its block. G33 and G32.
 #include "nck/prep/1_decode/motion/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_assume nck_decode_block …
-#include "nck/prep/1_decode/number/number.h" // nck_decode_travel nck_number_real
+#include "nck/prep/1_decode/number/number.h" // nck_decode_travel nck_word_real
 #include "nck/prep/1_decode/tongue/tongue.h" // nck_lathe_is_a
 #include "nck/prep/1_decode/place/place.h" // nck_decode_target
 #include "nck/base/real.h" // nck_fabs nck_max nck_sqrt

@@ -2,7 +2,7 @@
 // Radius compensation in the text: which tool, on which side, and what cannot be done meanwhile.
 #include "nck/prep/1_decode/place/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_block nck_decode_fail_code …
-#include "nck/prep/1_decode/number/number.h" // nck_number_real nck_number_whole
+#include "nck/prep/1_decode/number/number.h" // nck_decode_fail_range nck_decode_whole nck_word_real
 
 #include <stddef.h> // NULL
 

@@ -2,7 +2,7 @@
 // T: a tool to change to, or on Fanuc's lathes the turret and an offset.
 #include "nck/prep/1_decode/place/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail_word nck_decode_find_tool …
-#include "nck/prep/1_decode/number/number.h" // nck_number_real nck_number_whole
+#include "nck/prep/1_decode/number/number.h" // nck_decode_whole
 
 #include <stddef.h> // NULL
 
