@@ -43,7 +43,6 @@ static void overflow(nck_decode_t *self, const char *text, size_t n) {
     if (memchr(text, '\0', n) != NULL) self->line.binary = 1;
 }
 
-// Add n bytes to the line.
 static inline void collect(nck_decode_t *self, const char *text, size_t n) {
     assert(self->line.size <= NCK_LINE_MAX);
     if (n > NCK_LINE_MAX - self->line.size) {
@@ -60,7 +59,6 @@ static void close_line(nck_decode_t *self) {
     self->line.state = NCK_LINE_WAITING;
 }
 
-// A part of a line is there.
 static int is_begun(const nck_decode_t *self) { return self->line.size > 0; }
 
 // A piece of text for the line, up to its end. Returns how much of it was taken.

@@ -272,8 +272,7 @@ static nck_status_t begin(nck_decode_t *self) {
     self->modal.motion = self->words.code[NCK_STEP_MOTION];
     keep_or_forget(self, before);
     if (!says_hole(self)) return nck_is_fanuc(self) ? NCK_OK : nck_cycle_missing(self, 'X');
-    nck_decode_assume(self, NCK_NOTE_UNITS);
-    nck_decode_assume(self, NCK_NOTE_DISTANCE);
+    nck_decode_assume_places(self);
     nck_decode_assume(self, NCK_NOTE_PLANE);
     nck_status_t status = read_cycle(self, &count);
     if (status != NCK_OK || count == 0) return status;

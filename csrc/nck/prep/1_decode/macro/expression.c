@@ -22,7 +22,6 @@ typedef enum operator {
     OR, XOR, AND, EQ, NE, LT, LE, GT, GE, MOD, ADD, SUBTRACT, TIMES, DIVIDE, POWER
 } operator_t;
 
-// An expression in work.
 typedef struct work {
     nck_decode_t *self;
     const char *at;

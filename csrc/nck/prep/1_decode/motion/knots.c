@@ -5,7 +5,7 @@
 //     K X Y Z R          its knot, the point, its weight (1)
 //     K                  as many as the order: behind the last one the curve is cut
 #include "nck/prep/1_decode/motion/parts.h"
-#include "nck/prep/1_decode/state/state.h" // nck_decode_assume nck_decode_fail_step …
+#include "nck/prep/1_decode/state/state.h" // nck_decode_assume_places nck_decode_fail_step …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_letter nck_decode_plain_word …
 #include "nck/prep/1_decode/place/place.h" // nck_decode_target
 #include "nck/base/real.h" // nck_fabs
@@ -70,8 +70,7 @@ static nck_status_t add_point(nck_decode_t *self) {
     int64_t place_nm[NCK_AXIS_MAX];
     double weight = 1.0;
     nck_status_t status = check_axes(self);
-    nck_decode_assume(self, NCK_NOTE_UNITS);
-    nck_decode_assume(self, NCK_NOTE_DISTANCE);
+    nck_decode_assume_places(self);
     if (status == NCK_OK) status = nck_decode_target(self, 0, place_nm);
     if (status == NCK_OK && (self->words.letters & NCK_LETTER('R'))) {
         status = read_plain(self, 'R', &weight);

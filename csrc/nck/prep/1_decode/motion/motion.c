@@ -155,8 +155,7 @@ static void note_assumed(nck_decode_t *self, int turns) {
     const uint32_t plane = (uint32_t)turns << NCK_NOTE_PLANE;
     const uint32_t assumed = 1u << NCK_NOTE_UNITS | 1u << NCK_NOTE_DISTANCE | plane;
     if (!(~(self->finding.given | self->finding.notes) & assumed)) return;
-    nck_decode_assume(self, NCK_NOTE_UNITS);
-    nck_decode_assume(self, NCK_NOTE_DISTANCE);
+    nck_decode_assume_places(self);
     if (plane != 0) nck_decode_assume(self, NCK_NOTE_PLANE);
 }
 
@@ -212,8 +211,7 @@ nck_status_t nck_decode_reference(nck_decode_t *self, nck_block_t *out) {
     if (status != NCK_OK) return status;
     memcpy(target_nm, self->place.position_nm, sizeof target_nm);
     if (self->machine->dialect.base != NCK_DIALECT_MARLIN && self->words.axes != 0) {
-        nck_decode_assume(self, NCK_NOTE_UNITS);
-        nck_decode_assume(self, NCK_NOTE_DISTANCE);
+        nck_decode_assume_places(self);
         status = nck_decode_target(self, 0, target_nm);
         if (status != NCK_OK) return status;
     }

@@ -3,7 +3,7 @@
 // name. In a program they are simulated: the machine file says whether they meet something there.
 // In a session whoever watches the probe stops them (nck_stop_at) and tells where.
 #include "nck/prep/1_decode/motion/parts.h"
-#include "nck/prep/1_decode/state/state.h" // nck_decode_assume nck_decode_fail_step
+#include "nck/prep/1_decode/state/state.h" // nck_decode_assume_places nck_decode_fail_step
 #include "nck/prep/1_decode/place/place.h" // nck_decode_target
 #include "nck/prep/1_decode/macro/macro.h" // nck_parameter_set_probe
 
@@ -28,8 +28,7 @@ static nck_status_t go(nck_decode_t *self, int touches, nck_block_t *out) {
     if (self->words.axes == 0) {
         return fail(self, NCK_E_WORD_MISSING, 'X', self->words.code[NCK_STEP_MOTION] / 10.0);
     }
-    nck_decode_assume(self, NCK_NOTE_UNITS);
-    nck_decode_assume(self, NCK_NOTE_DISTANCE);
+    nck_decode_assume_places(self);
     if (self->modal.feed_mode == NCK_FEED_PER_REV) return fail(self, NCK_E_PROBE, 'G', 95.0);
     nck_status_t status = nck_decode_cycle_fits(self);
     if (status == NCK_OK) status = nck_decode_target(self, 0, target_nm);

@@ -3,7 +3,7 @@
 // chords that keep to the chord tolerance. G5 and G5.1 are those of one span; those of G6.2 have
 // knots of their own, and Z.
 #include "nck/prep/1_decode/motion/parts.h"
-#include "nck/prep/1_decode/state/state.h" // nck_decode_assume nck_decode_block …
+#include "nck/prep/1_decode/state/state.h" // nck_decode_assume_places nck_decode_block …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_length_word nck_decode_letter …
 #include "nck/prep/1_decode/place/place.h" // nck_decode_target nck_layout_way
 #include "nck/base/real.h" // nck_floor nck_min nck_max nck_sqrt nck_rounded
@@ -114,7 +114,6 @@ static void place_of_last(const nck_decode_t *self, int64_t *place_nm) {
     if (self->held.spline.knots != 0) place_nm[2] = (int64_t)last->centre_mm[NCK_SPLINE_Z];
 }
 
-// The next chord.
 static nck_status_t chord(nck_decode_t *self, nck_block_t *out) {
     nck_spline_t *const spline = &self->held.spline;
     int64_t last_nm[3];
@@ -179,8 +178,7 @@ static nck_status_t read_target(nck_decode_t *self, int64_t *target_nm) {
         while (!(others >> axis & 1u)) axis++;
         return nck_motion_fail(self, NCK_E_SPLINE, nck_decode_letter(axis), 0.0, 0.0);
     }
-    nck_decode_assume(self, NCK_NOTE_UNITS);
-    nck_decode_assume(self, NCK_NOTE_DISTANCE);
+    nck_decode_assume_places(self);
     return nck_decode_target(self, 0, target_nm);
 }
 

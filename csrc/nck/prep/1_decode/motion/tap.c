@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A tapped hole: can it be made, and its block. G33.1, and the holes of G84 and G74.
 #include "nck/prep/1_decode/motion/parts.h"
-#include "nck/prep/1_decode/state/state.h" // nck_decode_assume nck_decode_block …
+#include "nck/prep/1_decode/state/state.h" // nck_decode_assume_places nck_decode_block …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_travel
 #include "nck/prep/1_decode/place/place.h" // nck_decode_target
 #include "nck/base/real.h" // nck_fabs
@@ -44,8 +44,7 @@ nck_status_t nck_decode_single_tap(nck_decode_t *self, nck_block_t *out) {
     int moves = 0;
     self->modal.motion = NCK_MOTION_TAP;
     if (self->words.axes == 0) return nck_motion_fail(self, NCK_E_WORD_MISSING, 'Z', 33.1, 0.0);
-    nck_decode_assume(self, NCK_NOTE_UNITS);
-    nck_decode_assume(self, NCK_NOTE_DISTANCE);
+    nck_decode_assume_places(self);
     nck_status_t status = nck_decode_lead(self, 'K', &lead);
     if (status == NCK_OK) status = nck_decode_thread_fits(self);
     if (status == NCK_OK) status = nck_decode_target(self, 0, bottom_nm);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A pass of a thread: can it be made, and its block. G33 and G32.
 #include "nck/prep/1_decode/motion/parts.h"
-#include "nck/prep/1_decode/state/state.h" // nck_decode_assume nck_decode_block …
+#include "nck/prep/1_decode/state/state.h" // nck_decode_assume_places nck_decode_block …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_travel nck_word_real
 #include "nck/prep/1_decode/tongue/tongue.h" // nck_lathe_is_a
 #include "nck/prep/1_decode/place/place.h" // nck_decode_target
@@ -120,8 +120,7 @@ nck_status_t nck_decode_single_pass(nck_decode_t *self, nck_block_t *out) {
     int64_t end_nm[NCK_AXIS_MAX];
     self->modal.motion = NCK_MOTION_PASS;
     if (self->words.axes == 0) return NCK_EMPTY;
-    nck_decode_assume(self, NCK_NOTE_UNITS);
-    nck_decode_assume(self, NCK_NOTE_DISTANCE);
+    nck_decode_assume_places(self);
     nck_status_t status = nck_decode_lead(self, self->lathe ? 'F' : 'K', &thread.lead);
     if (status == NCK_OK) status = nck_decode_thread_fits(self);
     if (status == NCK_OK && self->lathe) status = nck_decode_start_angle(self, &thread.turn);

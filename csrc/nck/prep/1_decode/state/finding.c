@@ -71,6 +71,11 @@ void nck_decode_assume(nck_decode_t *self, nck_note_t note) {
     nck_decode_note(self, &finding);
 }
 
+void nck_decode_assume_places(nck_decode_t *self) {
+    nck_decode_assume(self, NCK_NOTE_UNITS);
+    nck_decode_assume(self, NCK_NOTE_DISTANCE);
+}
+
 void nck_decode_note_word(nck_decode_t *self, nck_note_t note, char letter, double value) {
     const int said = nck_has_word(self, letter);
     const unsigned column = said ? self->words.column[letter - 'A'] : 0;

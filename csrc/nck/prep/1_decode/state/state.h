@@ -53,6 +53,8 @@ void nck_decode_find(nck_decode_t *self, const nck_diagnostic_t *finding);
 
 // Give a note if the program leaves it to the machine. Cost: constant.
 void nck_decode_assume(nck_decode_t *self, nck_note_t note);
+// The notes on what places need: the units, and what they count from.
+void nck_decode_assume_places(nck_decode_t *self);
 
 // Give a note of these numbers, once in a program. Cost: constant.
 void nck_decode_note(nck_decode_t *self, const nck_diagnostic_t *finding);
