@@ -52,8 +52,8 @@ double nck_decode_counts(const nck_decode_t *self, int letter) {
 }
 
 nck_status_t nck_decode_fail_range(nck_decode_t *self, int letter, double limit) {
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_word_real(self, letter),
-                                limit);
+    const double value = nck_number_real(word_of(self, letter));
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, value, limit);
 }
 
 // 1 if a number counts least increments. Where the control leaves it open it does not, and a note
@@ -94,7 +94,7 @@ double nck_decode_real_word(nck_decode_t *self, int letter) {
 }
 
 nck_status_t nck_decode_plain_word(nck_decode_t *self, int letter, double *value_out) {
-    const double value = nck_word_real(self, letter);
+    const double value = nck_number_real(word_of(self, letter));
     const double unit = self->machine->dialect.scale_unit;
     const int whole = is_integer(self, word_of(self, letter));
     *value_out = whole ? value * unit : value;
