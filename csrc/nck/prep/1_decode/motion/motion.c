@@ -144,12 +144,6 @@ static nck_status_t other_motion(nck_decode_t *self, int taken) {
     return NCK_EMPTY;
 }
 
-// G80 on Fanuc's mills: cycles are a group of their own there, and the motion of the other group,
-// which was in force before them, goes on.
-static int ends_cycle(const nck_decode_t *self) {
-    return self->words.code[NCK_STEP_MOTION] == 800 && self->tongue == NCK_TONGUE_FANUC;
-}
-
 // What a move needs and the program has not said.
 static void note_assumed(nck_decode_t *self, int turns) {
     const uint32_t plane = (uint32_t)turns << NCK_NOTE_PLANE;
@@ -160,7 +154,9 @@ static void note_assumed(nck_decode_t *self, int turns) {
 }
 
 nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out) {
-    const int ends = ends_cycle(self);
+    // G80 on Fanuc's mills: cycles are a group of their own there, and the motion of the other
+    // group, which was in force before them, goes on.
+    const int ends = self->words.code[NCK_STEP_MOTION] == 800 && self->tongue == NCK_TONGUE_FANUC;
     const int32_t code = ends ? self->modal.group : self->words.code[NCK_STEP_MOTION];
     const int taken = (self->words.codes & NCK_STEPS_AXES) && nck_words_set_axes(&self->words);
     int64_t target_nm[NCK_AXIS_MAX];
