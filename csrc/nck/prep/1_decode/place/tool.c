@@ -21,8 +21,14 @@ nck_status_t nck_decode_set_tool(nck_decode_t *self, double value, nck_block_t *
     return nck_decode_give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_TOOL, value, out);
 }
 
-// The turret turns at T itself, and the program waits for it; offset 00 ends the one in force.
-static nck_status_t turn_turret(nck_decode_t *self, int64_t number, nck_block_t *out) {
+nck_status_t nck_decode_tool(nck_decode_t *self, nck_block_t *out) {
+    int64_t number = 0;
+    const nck_status_t status = nck_decode_whole(self, 'T', NCK_DECODE_VALUE_MAX, 0, &number);
+    if (status != NCK_OK) return status;
+    if (!self->lathe || number < NCK_LATHE_TOOLS) {
+        return nck_decode_set_tool(self, (double)number, out);
+    }
+    // The turret turns at T itself, and the program waits for it; offset 00 ends the one in force.
     const uint32_t tool = (uint32_t)(number / NCK_LATHE_TOOLS);
     const uint32_t offset = (uint32_t)(number % NCK_LATHE_TOOLS);
     const int known = nck_tool_is_known(self, tool);
@@ -43,12 +49,4 @@ static nck_status_t turn_turret(nck_decode_t *self, int64_t number, nck_block_t 
     nck_decode_origin(self);
     if (!turns) return NCK_EMPTY;
     return nck_decode_give_output(self, NCK_BLOCK_WAIT, NCK_OUTPUT_TOOL, (double)tool, out);
-}
-
-nck_status_t nck_decode_tool(nck_decode_t *self, nck_block_t *out) {
-    int64_t number = 0;
-    const nck_status_t status = nck_decode_whole(self, 'T', NCK_DECODE_VALUE_MAX, 0, &number);
-    if (status != NCK_OK) return status;
-    if (self->lathe && number >= NCK_LATHE_TOOLS) return turn_turret(self, number, out);
-    return nck_decode_set_tool(self, (double)number, out);
 }
