@@ -46,10 +46,6 @@ static void only(work_t *work, uint32_t whose) {
     if (work->status == NCK_OK) work->status = nck_decode_only(work->self, work->at, whose);
 }
 
-static int is_fanuc(const work_t *work) {
-    return nck_is_fanuc(work->self);
-}
-
 static void skip(work_t *work) { work->at = nck_decode_skip(work->at); }
 
 static void push_operator(work_t *work, operator_t operator) {
@@ -99,7 +95,7 @@ static double rounded(const work_t *work, operator_t function, double x) {
     // Down and up; in Fanuc's language towards zero and away from it.
     if (!to_nearest) {
         const int up = function == FUP;
-        const int ceils = is_fanuc(work) && x < 0.0 ? !up : up;
+        const int ceils = nck_is_fanuc(work->self) && x < 0.0 ? !up : up;
         return ceils ? -nck_floor(-x) : nck_floor(x);
     }
     return x < 0.0 ? -nck_floor(0.5 - x) : nck_floor(x + 0.5);
@@ -156,7 +152,7 @@ static double raised(work_t *work, double a, double b) {
 static int equal(const work_t *work, double a, double b) {
     const int a_is = nck_value_is(a), b_is = nck_value_is(b);
     if (!a_is || !b_is) return a_is == b_is;
-    return is_fanuc(work) ? a >= b && a <= b : nck_fabs(a - b) < NCK_VALUE_NEAR;
+    return nck_is_fanuc(work->self) ? a >= b && a <= b : nck_fabs(a - b) < NCK_VALUE_NEAR;
 }
 
 static double compared(operator_t operator, double a, double b) {
@@ -171,7 +167,7 @@ static double compared(operator_t operator, double a, double b) {
 // AND, OR, XOR: of Fanuc's controls bit by bit, so that 6 AND 3 is 2; else 0 does not hold, and all
 // other values do.
 static double logical(work_t *work, operator_t operator, double a, double b) {
-    const int fanuc = is_fanuc(work);
+    const int fanuc = nck_is_fanuc(work->self);
     uint32_t left = nck_fabs(a) > 0.0, right = nck_fabs(b) > 0.0;
     if (fanuc && (!nck_bits(a, &left) || !nck_bits(b, &right))) fail(work, NCK_E_VALUE, a);
     if (operator == AND) return left & right;

@@ -25,11 +25,6 @@ static int first_of(uint32_t letters) {
     return (letters & NCK_LETTER('J')) ? 'J' : 'K';
 }
 
-// An error of the arc as a whole: the column of its G code if the line has one.
-static nck_status_t fail_arc(nck_decode_t *self, nck_status_t code, double value, double limit) {
-    return nck_decode_fail_step(self, code, NCK_STEP_MOTION, 0, value, limit);
-}
-
 static nck_status_t choose_plane(nck_decode_t *self, course_t *course) {
     memset(course, 0, sizeof *course);
     nck_plane_axes(self, &course->u, &course->v);
@@ -149,7 +144,7 @@ static nck_status_t read_centre(nck_decode_t *self, course_t *course) {
     if (strange != 0 && !is_none) { // Fanuc's K0. says nothing
         return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, letter, 0.0, 0.0);
     }
-    if (said == 0) return fail_arc(self, NCK_E_ARC_CENTRE, 0.0, 0.0);
+    if (said == 0) return nck_motion_fail(self, NCK_E_ARC_CENTRE, 0, 0.0, 0.0);
     nck_decode_assume(self, NCK_NOTE_ARC_CENTRE);
     for (unsigned k = 0; k < 2; k++) {
         int64_t centre_nm;
@@ -180,13 +175,13 @@ static nck_status_t check_radii(nck_decode_t *self, const course_t *course) {
     const double start = nck_arc_norm(course->c[0], course->c[1]);
     const double end = nck_arc_norm(course->d[0] - course->c[0], course->d[1] - course->c[1]);
 
-    if (!(start > 0.0)) return fail_arc(self, NCK_E_ARC_CENTRE, 0.0, 0.0);
+    if (!(start > 0.0)) return nck_motion_fail(self, NCK_E_ARC_CENTRE, 0, 0.0, 0.0);
     if (radii_agree(self, start, end)) return NCK_OK;
     // An arc that misses its circle: would it be on one if I J K counted the other way?
     const unsigned axes[2] = {course->u, course->v};
     const int absolute = self->modal.centre_absolute;
     const double sign = absolute ? -1.0 : 1.0;
-    const nck_status_t status = fail_arc(self, NCK_E_ARC_RADIUS, end, start);
+    const nck_status_t status = nck_motion_fail(self, NCK_E_ARC_RADIUS, 0, end, start);
     double c[2];
     for (unsigned k = 0; k < 2; k++) {
         if (!nck_has_word(self, (char)('I' + axes[k])) || self->layout.on != 0) return status;
@@ -282,7 +277,9 @@ static nck_status_t turn_over(nck_decode_t *self, course_t *course) {
     const double scale = nck_layout_way(self, unit);
     const int even = nck_fabs(scale) > 0.0;
     const int absolute = self->modal.centre_absolute && !nck_has_word(self, 'R');
-    if (!even || absolute) return fail_arc(self, NCK_E_LAYOUT_ON, absolute ? 1.0 : 0.0, 0.0);
+    if (!even || absolute) {
+        return nck_motion_fail(self, NCK_E_LAYOUT_ON, 0, absolute ? 1.0 : 0.0, 0.0);
+    }
     if (scale < 0.0) course->turn = -course->turn;
     return NCK_OK;
 }

@@ -48,11 +48,6 @@ static nck_status_t fail(nck_decode_t *self, nck_status_t code) {
     return nck_decode_fail(self, code, column, self->line.text[column - 1], 0.0, 0.0);
 }
 
-// Where an axis is in the program [nm].
-static int64_t here_nm(const nck_decode_t *self, unsigned axis) {
-    return nck_turned_place(self, axis);
-}
-
 // The words of X and Y that lead to the place.
 static void write_words(nck_decode_t *self) {
     nck_words_t *const words = &self->words;
@@ -62,7 +57,7 @@ static void write_words(nck_decode_t *self) {
     for (unsigned axis = 0; axis < 2; axis++) {
         const double place_nm = words->polar_at[0] * way[axis] * (double)NCK_COUNTS_PER_MM;
         int64_t value_nm = nck_rounded(place_nm);
-        if (nck_motion_adds(self)) value_nm -= here_nm(self, axis);
+        if (nck_motion_adds(self)) value_nm -= nck_turned_place(self, axis);
         nck_decode_write(self, axis, value_nm, &words->number[first + axis]);
         words->column[first + axis] = words->polar_column;
     }
@@ -71,8 +66,8 @@ static void write_words(nck_decode_t *self) {
 // What is not said stays; steps are added to where the tool stands.
 static nck_status_t find_place(nck_decode_t *self) {
     nck_words_t *const words = &self->words;
-    const double x = (double)here_nm(self, 0) / (double)NCK_COUNTS_PER_MM;
-    const double y = (double)here_nm(self, 1) / (double)NCK_COUNTS_PER_MM;
+    const double x = (double)nck_turned_place(self, 0) / (double)NCK_COUNTS_PER_MM;
+    const double y = (double)nck_turned_place(self, 1) / (double)NCK_COUNTS_PER_MM;
     const double distance = nck_sqrt(x * x + y * y);
     const int adds = nck_motion_adds(self);
     if (!(words->polars & DISTANCE)) words->polar_step[0] = 0.0;
