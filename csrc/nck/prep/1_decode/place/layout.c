@@ -274,7 +274,7 @@ static nck_status_t read_factors(nck_decode_t *self, double *factor) {
 }
 
 // G51.
-static nck_status_t scale(nck_decode_t *self) {
+static nck_status_t begin_scale(nck_decode_t *self) {
     nck_layout_t *const layout = &self->layout;
     double factor[3] = {1.0, 1.0, 1.0};
     int64_t centre_nm[3];
@@ -364,7 +364,7 @@ nck_status_t nck_decode_layout(nck_decode_t *self, nck_block_t *out) {
     nck_status_t status = end(self, codes);
     (void)out;
     if (status == NCK_OK && (codes & NCK_LAYOUT_G51_1)) status = mirror(self, 1);
-    if (status == NCK_OK && (codes & NCK_LAYOUT_G51)) status = scale(self);
+    if (status == NCK_OK && (codes & NCK_LAYOUT_G51)) status = begin_scale(self);
     if (status == NCK_OK && (codes & NCK_LAYOUT_G68)) status = rotate(self);
     nck_layout_name(self);
     // Polar coordinates begin where the axes stand.
