@@ -39,8 +39,8 @@ enum { BEGIN, SEED, ASSEMBLE, SOLVE, DIRECT, GO, CHECK, END };
 #define WHOLE NCK_NUM_OF(0.9)
 // A pivot is no smaller than this share of its diagonal: rounding.
 #define PIVOT_MIN NCK_NUM_OF(sizeof(nck_num) == 4 ? 1e-7 : 1e-15)
-// A free node's b is no less: τ/√b⁵ is a number of either type. Where no motion is within the limits,
-// as for a hold that comes too late, step after step would take it to nothing.
+// A free node's b is no less: τ/√b⁵ is a number of either type. Where no motion is within the
+// limits, as for a hold that comes too late, step after step would take it to nothing.
 #define FREE_MIN NCK_NUM_OF(1e-14)
 // Keeps 1/√b finite at a rest.
 #define SPEED_MIN NCK_NUM_OF(1e-9)
