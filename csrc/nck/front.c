@@ -415,6 +415,11 @@ void nck_asked(const nck_t *nck, nck_command_t *command_out) {
 // An override of none asks for a rest, which a clock that stands has brought.
 static uint32_t moving(uint32_t asked, uint32_t before) { return asked > 0 ? asked : before; }
 
+// 1 if all motion is to rest. Rapids alone are slowed down for, too.
+static int brakes_at_once(const nck_command_t *asked) {
+    return asked->hold || asked->feed_ppm == 0 || asked->speed_um_s == 0;
+}
+
 // Along a clocked path the tick rests by its own clock, and counts on the plan in force: nothing
 // else is heard then, and an answer in work is not wanted any more. While the clock stands any plan
 // may come that moves.
@@ -439,7 +444,8 @@ void nck_hear(nck_t *nck, uint32_t stopped) {
     nck->slope.stands = 0;
     if (!NCK_HAS_OPTIMAL || !nck_slope_is_clocked(&nck->slope)) return;
     const uint32_t clock = nck_interpolate_clock(&nck->interpolate);
-    if (clock == NCK_CLOCK_RUNS) return;
+    const int rests = nck_interpolate_is_at_rest(&nck->interpolate);
+    if (clock == NCK_CLOCK_RUNS && (rests || !brakes_at_once(heard))) return;
     nck->slope.stands = (uint32_t)(clock == NCK_CLOCK_STANDS);
     hear_clock(planned, clock, heard);
 }

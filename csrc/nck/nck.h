@@ -182,8 +182,9 @@ nck_tick_state_t nck_position(const nck_t *nck, nck_pose_t *pose_out, nck_axes_t
 int nck_is_idle(const nck_t *nck);
 
 // Come to rest on the path, within the limits of the slope, and stay until nck_resume. The state is
-// NCK_TICK_HOLD from the first cell of the brake on. The brake begins within ten periods: if prep
-// has not made its short plan by then, the tick brakes by itself. Cost: constant. Context: any.
+// NCK_TICK_HOLD from the first cell of the brake on. The brake begins within ten periods, along a
+// clocked path at once: there nck_resume on the way to rest sets off again.
+// Cost: constant. Context: any.
 void nck_hold(nck_t *nck);
 
 // Go on after M0, M1, M6 or M60, after a hold, and at a block's end in single block.

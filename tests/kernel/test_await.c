@@ -53,9 +53,7 @@ static void turn(void)
 static void tick(check_t *check)
 {
     const uint64_t moving = front.moving;
-    // A clocked path sets off by its plan: held 25 times a second it would hardly move.
-    const uint32_t apart = front.machine.slope == NCK_SLOPE_OPTIMAL ? 160 : 40;
-    if (pick(apart) == 0) nck_hold(&front.nck);
+    if (pick(40) == 0) nck_hold(&front.nck);
     if (pick(10) == 0) nck_resume(&front.nck);
     turn();
     const int slow = wanted() != 0.0 && spindle.rpm != wanted();

@@ -262,8 +262,7 @@ typedef struct nck_node {
 typedef enum nck_stop {
     NCK_STOP_REST = 1, // comes to rest at its end, the tick lands there
     NCK_STOP_HOLD = 2, // of a hold: braking for a rest from which only nck_resume goes on
-    NCK_STOP_SLOW = 4, // of a plan that only slows down for a rest: from here on the tick brakes
-    NCK_STOP_SETS_OFF = 8 // the path does not rest before it, the tool does: the tick's clock
+    NCK_STOP_SETS_OFF = 4 // the path does not rest before it, the tool does: the tick's clock
                           // starts from nothing
 } nck_stop_t;
 

@@ -153,13 +153,8 @@ static nck_status_t set_wish(nck_optimal_t *self) {
                             &asked);
 }
 
-// The last plan brakes for its own rest: NCK_FULL, a brake has nothing to add.
 static nck_status_t lay_window(nck_optimal_t *self, const nck_pieces_t *pieces) {
     if (nck_optimal_work(self)->n == 0) look_slower(self, pieces);
-    if (self->job.kind == NCK_JOB_BRAKE && !nck_optimal_slows(self)) {
-        self->next->held = self->job.held;
-        return NCK_FULL;
-    }
     const nck_status_t status = count_intervals(self, pieces);
     if (status != NCK_DONE) return status;
     self->i = 0;
@@ -235,18 +230,6 @@ static nck_status_t solve_again(nck_optimal_t *self) {
     return set_wish(self);
 }
 
-// A plan that slows down for a rest may be of no end: what it is slowed down to is a bound from
-// above. The path goes on from where it has rested, so nowhere is it left slower than that. Both
-// plans keep their limits, and so does what lies between them.
-static void keep_off_rest(nck_optimal_t *self) {
-    static const double share = NCK_OPTIMAL_SLOWER_LEAST * NCK_OPTIMAL_SLOWER_LEAST;
-    const nck_optimal_pace_t *const now = nck_optimal_now(self);
-    nck_optimal_pace_t *const work = nck_optimal_work(self);
-    for (uint32_t k = 0; k <= work->n; k++) {
-        work->b[k] += share * (now->b[work->first - now->first + k] - work->b[k]);
-    }
-}
-
 static nck_status_t solve_motion(nck_optimal_t *self) {
     const nck_status_t status = nck_motion_step(&self->motion);
     nck_optimal_pace_t *const work = nck_optimal_work(self);
@@ -257,17 +240,12 @@ static nck_status_t solve_motion(nck_optimal_t *self) {
         work->b[k] = factor * (double)nck_motion_b(&self->motion, (int)k);
     }
     if (factor < AGAIN_BELOW && self->again < AGAIN_MOST) return solve_again(self);
-    if (self->job.kind == NCK_JOB_BRAKE) keep_off_rest(self);
     const nck_optimal_pace_t *const now = nck_optimal_now(self);
     for (uint32_t k = 0; nck_optimal_goes_on(self) && k < NCK_OPTIMAL_GIVEN; k++) {
         work->b[k] = now->b[work->first - now->first + k]; // to the bit
     }
     work->top = find_top(work, NCK_OPTIMAL_GIVEN + 1);
     self->takes_over = commit_of(self, work) - (nck_optimal_goes_on(self) ? 0 : 1);
-    if (self->job.kind == NCK_JOB_BRAKE) {
-        self->slow = self->takes_over;
-        self->takes_over = work->n > NCK_OPTIMAL_GIVEN + 1 ? work->n - NCK_OPTIMAL_GIVEN : 1;
-    }
     self->i = 0;
     self->cells = 0;
     self->seam = 0;

@@ -80,7 +80,6 @@ static void put_cell(nck_optimal_t *self, const nck_node_t *piece, const portion
     cell.limit = on->limit;
     cell.last = (uint8_t)last;
     cell.stop = last && self->i + 1 == nck_optimal_work(self)->n ? NCK_STOP_REST : 0;
-    if (self->job.kind == NCK_JOB_BRAKE && self->i >= self->slow) cell.stop |= NCK_STOP_SLOW;
     if (self->job.kind == NCK_JOB_START && !self->at_rest && self->cells == 0) {
         cell.stop |= NCK_STOP_SETS_OFF;
     }
@@ -155,7 +154,6 @@ static void finish(nck_optimal_t *self) {
     nck_optimal_pace_t *const work = nck_optimal_work(self);
     nck_plan_t *const next = self->next;
     work->drawn = 1;
-    next->slows = self->job.kind == NCK_JOB_BRAKE;
     next->end_piece = work->first + work->n;
     next->end_s = NCK_PLAN_BEGIN;
     next->complete = work->ends;

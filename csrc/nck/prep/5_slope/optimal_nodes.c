@@ -256,7 +256,7 @@ static double reached(nck_optimal_t *self, uint32_t k) {
 // Whether the last plan's pace at a node is one to begin with: not that of the brake for its
 // window's end, nor for a rest, from which no end is found in time.
 static int is_near(const nck_optimal_t *self, const nck_optimal_pace_t *now, uint32_t at) {
-    return nck_optimal_goes_on(self) && !self->now->slows && at <= now->top;
+    return nck_optimal_goes_on(self) && at <= now->top;
 }
 
 // A pace to begin with, which may break limits by far: the last plan's, as far as that is near; the

@@ -46,9 +46,8 @@ static inline double nck_optimal_floor(const nck_optimal_t *self, uint32_t k) {
     return share * nck_max((double)now->along[at] * now->b[at], share * self->vv_most);
 }
 
-// v² that is wanted in a piece: none at a rest. Cost: constant.
+// v² that is wanted in a piece. Cost: constant.
 static inline double nck_optimal_wanted(const nck_optimal_t *self, const nck_node_t *piece) {
-    if (self->job.kind == NCK_JOB_BRAKE) return 0.0;
     return nck_plan_cap(piece, &self->job.wish, self->next->over);
 }
 

@@ -54,7 +54,6 @@ typedef struct nck_plan {
     uint32_t held;     // nck_held_t: what must happen before it goes on
     uint32_t commit;   // so many of its cells may become final before the next plan takes over
     uint32_t keep;     // behind this cell it brakes for the window's end only
-    uint32_t slows;    // 1: it slows down for a rest, which is the tick's own
     uint32_t over;     // 1: an override beyond 100 % has been in force since it was last at rest
     uint32_t wants;    // in work: pieces before this number must be known before it can go on
 } nck_plan_t;

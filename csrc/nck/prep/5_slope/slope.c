@@ -98,7 +98,7 @@ static nck_status_t start(nck_slope_t *self, const nck_pieces_t *pieces) {
 }
 
 // The plan that follows the first cells of now: a brake, if the operator wants it or has taken the
-// speed away.
+// speed away. Along a clocked path that is the tick's.
 static void go_on(nck_slope_t *self, const nck_pieces_t *pieces, uint32_t first) {
     const uint32_t count = (self->now.begin + first) & NCK_LINK_COUNT_MASK;
     const nck_cell_t *const cell = nck_link_tail_cell(self->link, count);
@@ -115,8 +115,10 @@ static void go_on(nck_slope_t *self, const nck_pieces_t *pieces, uint32_t first)
     self->next.s = cell->s;
     const nck_node_t *const piece = nck_plan_piece(pieces, self->next.piece);
     assert(piece); // nck_slope_needs keeps it
-    const int moves = nck_plan_cap(piece, &self->wish, self->next.over) > 0.0;
-    job.kind = self->wish.hold || !moves ? NCK_JOB_BRAKE : NCK_JOB_GO_ON;
+    const int rests =
+        self->wish.hold || !(nck_plan_cap(piece, &self->wish, self->next.over) > 0.0);
+    const int by_tick = nck_planner_kind(self) == NCK_SLOPE_OPTIMAL;
+    job.kind = rests && !by_tick ? NCK_JOB_BRAKE : NCK_JOB_GO_ON;
     job.held = self->wish.hold ? NCK_HELD_RESUME : NCK_HELD_OVERRIDE;
     make(self, &job);
 }
@@ -147,7 +149,7 @@ static int waits_behind(const nck_slope_t *self, const nck_pieces_t *pieces) {
 static void tell(nck_slope_t *self) {
     const int brakes = self->now.held == NCK_HELD_RESUME || self->now.held == NCK_HELD_OVERRIDE;
     nck_fence_store(&self->waits, self->now.held == NCK_HELD_BLOCK);
-    nck_fence_store(&self->brakes, (brakes || self->now.slows) && !self->in_tail);
+    nck_fence_store(&self->brakes, brakes && !self->in_tail);
 }
 
 // The plan of now stays, to its end.
@@ -209,8 +211,7 @@ static void replan(nck_slope_t *self, const nck_pieces_t *pieces) {
     nck_planner_choose(self, nck_plan_piece(pieces, self->now.piece)); // a start may have another
     uint32_t first = takeover(self);
     self->phase = PHASE_IDLE;
-    // It brakes already: of a plan that slows down, the tick does the rest, whatever else is asked.
-    if (self->now.held == NCK_HELD_RESUME || (self->now.slows && self->wish.hold)) return;
+    if (self->now.held == NCK_HELD_RESUME) return; // it brakes already
     const nck_cell_t *const cell =
         nck_link_tail_cell(self->link, (self->now.begin + first) & NCK_LINK_COUNT_MASK);
     if (cell && !(cell->v > 0.0)) first++; // a corner passed at no speed is no state to brake from
@@ -311,7 +312,6 @@ static nck_status_t install(nck_slope_t *self) {
 static nck_status_t begin_next(nck_slope_t *self, const nck_pieces_t *pieces) {
     if (self->now.complete) return start(self, pieces);
     if (self->awaits_tail) return NCK_FULL;
-    if (self->now.slows && self->wish.hold) return NCK_FULL; // the tick does the rest
     go_on(self, pieces, self->now.commit);
     return NCK_OK;
 }

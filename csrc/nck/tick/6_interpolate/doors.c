@@ -2,6 +2,8 @@
 // Room 6, interpolate: what others tell it and ask, how periods are counted, and its invariants.
 #include "nck/tick/6_interpolate/interpolate.h"
 
+#include <stddef.h> // NULL
+
 #include "nck/base/cell_math.h" // nck_cell_speed
 #include "nck/base/fence.h"     // nck_fence_load nck_fence_store
 #include "nck/base/real.h"      // nck_floor
@@ -29,14 +31,20 @@ int nck_interpolate_is_at_rest(const nck_interpolate_t *self) {
     return nck_link_is_spent(self->link) && !nck_fence_load(&self->has_cell);
 }
 
-int nck_interpolate_is_rapid(nck_interpolate_t *self) {
-    if (self->has_cell && self->cell.length > 0.0) return self->pose.rapid;
+// Of the motion in work, or of the next one where the path rests: NULL, none is known.
+static const nck_seg_t *seg_in_work(const nck_interpolate_t *self) {
+    if (self->has_cell && self->cell.length > 0.0) return nck_link_seg(self->link, self->cell.seg);
     const uint32_t word = nck_link_word(self->link);
     const nck_cell_t *const next = nck_link_ahead(self->link, word, 0);
-    if (!next) return self->pose.rapid;
+    if (!next) return NULL;
     const uint32_t seg = next->seg;
-    return nck_link_holds(self->link, word) ? nck_link_seg(self->link, seg)->rapid
-                                            : self->pose.rapid;
+    return nck_link_holds(self->link, word) ? nck_link_seg(self->link, seg) : NULL;
+}
+
+int nck_interpolate_is_rapid(nck_interpolate_t *self) {
+    if (self->has_cell && self->cell.length > 0.0) return self->pose.rapid;
+    const nck_seg_t *const seg = seg_in_work(self);
+    return seg ? seg->rapid : self->pose.rapid;
 }
 
 void nck_interpolate_measure(nck_interpolate_t *self, double turns) {
@@ -106,18 +114,17 @@ static void see_ahead(const nck_interpolate_t *self, nck_watched_t *seen) {
     seen->ahead_gain = (cell->a + cell->j * (now - self->t_cell)) * self->machine->period_s;
 }
 
-// The tick brakes at once: the plan leaves the rest to it, or none that brakes comes (nck.c).
-static int brakes_at_once(const nck_interpolate_t *self) {
-    if (!self->has_cell) return 0;
-    const int sets_off = self->clock.state == NCK_CLOCK_SETS_OFF;
-    return (self->cell.stop & NCK_STOP_SLOW)
-           || (sets_off && nck_look_is_clocked(nck_link_seg(self->link, self->cell.seg)));
+// Along a clocked path no plan brings a rest that is asked for.
+static int is_clocked(const nck_interpolate_t *self) {
+    const nck_seg_t *const seg = seg_in_work(self);
+    return seg && nck_look_is_clocked(seg);
 }
 
 void nck_interpolate_watch(nck_interpolate_t *self, int asks, int planned, uint32_t steps) {
     const int stands = self->clock.state == NCK_CLOCK_STANDS; // a rest that is asked for is here
-    const int slow = stands || brakes_at_once(self);
-    nck_watched_t seen = {asks, planned, slow, steps, (int)self->from_tail, self->pose.v, 0.0, 0.0};
+    const int at_once = asks && (stands || (NCK_HAS_OPTIMAL && is_clocked(self)));
+    nck_watched_t seen = {asks, planned, at_once, steps, (int)self->from_tail, self->pose.v, 0.0,
+                          0.0};
     if (asks) see_ahead(self, &seen);
     self->brakes = (uint32_t)nck_watch_tick(&self->watch, self->terms, &seen);
 }

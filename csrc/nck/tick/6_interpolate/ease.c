@@ -36,6 +36,9 @@
 // … and of all that axes have in a period, so near 1 that it may run: the plan may take all of it.
 #define RUN_SHARE NCK_NUM_OF(0.003)
 
+// Of k′ that a released clock eases off, what rounding leaves (6e-8 in single precision) and more.
+#define GONE_EPSILON 1e-6
+
 // Of the range of k″, what is tried at least.
 #define SHARE_LEAST NCK_NUM_OF(0.25)
 
@@ -380,6 +383,10 @@ void nck_ease_begin(nck_clock_t *clock) {
     nck_fence_store(&clock->state, NCK_CLOCK_BRAKES);
 }
 
+void nck_ease_release(nck_clock_t *clock) {
+    if (clock->state == NCK_CLOCK_BRAKES) nck_fence_store(&clock->state, NCK_CLOCK_SETS_OFF);
+}
+
 // The clock at a pace that is reached, or at its rest or its run next to it. near: of k [1/s].
 static void take_pace(nck_clock_t *clock, int brakes, double near, double period) {
     const double k = clock->first.rate;
@@ -392,26 +399,29 @@ static void take_pace(nck_clock_t *clock, int brakes, double near, double period
         clock->second.gain = 0.0;
     }
     if (runs) nck_fence_store(&clock->state, NCK_CLOCK_RUNS);
+    if (rests && clock->state == NCK_CLOCK_SETS_OFF) nck_clock_go_on(clock);
 }
 
 double nck_ease_period(nck_clock_t *clock, const nck_terms_t *terms, nck_link_t *link,
                        const nck_cell_t *cell, double t) {
     const double period = terms->machine->period_s;
-    const int brakes = clock->state == NCK_CLOCK_BRAKES;
     const double k = clock->first.rate;
     const double dk = clock->second.gain;
+    const int released = clock->state == NCK_CLOCK_SETS_OFF && dk < 0.0;
+    const int brakes = clock->state == NCK_CLOCK_BRAKES || released;
     const ease_pace_t pace = {(nck_num)k, (nck_num)dk, brakes ? -1 : 1};
     const nck_stretch_walk_t here = {.terms = terms, .link = link, .cell = cell, .t = (nck_num)t,
                                      .period = (nck_num)period};
-    ease_wish_t wish = {clock->share, 0, 0};
+    ease_wish_t wish = {released ? 0 : clock->share, 0, 0};
     if (!brakes && clock->feels > 0) { // a rest may end with a jerk of its own
         clock->feels--;
         return 0.0;
     }
     const double change = (double)change_now(&pace, &here, &wish);
-    clock->share = wish.share;
+    clock->share = released ? 1 : wish.share;
     clock->first.rate = k + (dk + 0.5 * change * period) * period;
-    clock->second.gain = dk + change * period;
+    const double gain = dk + change * period;
+    clock->second.gain = released && gain > GONE_EPSILON * dk ? 0.0 : gain;
     const nck_num near = (brakes ? REST_SHARE : RUN_SHARE) * wish.most;
     take_pace(clock, brakes, (double)near * period, period);
     if (!(clock->first.rate > 0.0)) return 0.5 * k * period;

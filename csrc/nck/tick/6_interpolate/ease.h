@@ -14,6 +14,10 @@
 // Cost: constant. Context: tick.
 void nck_ease_begin(nck_clock_t *clock);
 
+// Nobody asks for rest any more: what brakes eases off, and sets off from the pace that is left.
+// Cost: constant. Context: tick.
+void nck_ease_release(nck_clock_t *clock);
+
 // One period of braking, or of setting off, from the time t in a cell on, behind which the link's
 // are: the clock's rate becomes that behind it, 0 where it rests, 1 where it runs from then on.
 // Returns how far the plan's time goes on [s].

@@ -298,7 +298,9 @@ static void hear(nck_interpolate_t *self) {
     case NCK_GOES_BY_LENGTH: find_place(self, &here); nck_clock_begin(clock, here.v, here.a); break;
     default: break;
     }
-    if (slows && !self->brakes) nck_clock_leave(clock, nck_fence_load(&self->kept));
+    if (!slows || self->brakes) return;
+    if (nck_look_is_clocked(seg_at(self, self->cell.seg))) nck_ease_release(clock);
+    nck_clock_leave(clock, nck_fence_load(&self->kept));
 }
 
 // So far along the plan, as long as a period at most: it is never overtaken. 0: the path rests.

@@ -5,28 +5,16 @@
 #include "nck/base/real.h" // nck_min nck_sqrt
 
 // Periods that prep has to plan a rest that is asked for, and to be seen at all while the tick is
-// on the tail, before the tick brakes by itself.
+// on the tail, before the tick brakes by itself. Along a clocked path it does so at once.
 enum { ANSWER_PERIODS = 10, GONE_PERIODS = 50 };
-
-// A plan takes over between the knots of a clocked path: so many of them are a reason to wait.
-#define ANSWER_KNOTS 2.5
 
 // A rest may take so many times what one along a line does, with LINE_PERIODS to hear of it. Later
 // than the tick itself could come to rest by then, it waits for no plan.
 #define REST_MOST 1.2
 enum { LINE_PERIODS = 20 };
 
-// … and on a clocked path from whatever speed the tick takes so many to ease off and on.
-enum { EASE_PERIODS = 10 };
-
 // Of an axis' jerk, what a brake of the tick begins and ends with: see clock.c.
 #define BRAKE_SHARE 0.9
-
-// Periods within which it has to be planned.
-static uint32_t answer_periods(const nck_terms_t *terms) {
-    const double knots = ANSWER_KNOTS * terms->knot_s / terms->machine->period_s;
-    return knots > (double)ANSWER_PERIODS ? (uint32_t)knots : (uint32_t)ANSWER_PERIODS;
-}
 
 // Periods that a rest along a line takes, from a speed and what it has gained in a period, by a
 // share of all jerk.
@@ -49,9 +37,8 @@ static double line_periods(const nck_terms_t *terms, double v, double gain, doub
     return nck_min((back + ramps) / period, most);
 }
 
-// Periods that the tick takes to brake there: it eases off, or the filter rests behind it.
+// Periods that the tick takes to brake there: the filter rests behind it.
 static double brake_periods(const nck_terms_t *terms, double v, double gain) {
-    if (terms->knot_s > 0.0) return line_periods(terms, v, gain, 1.0) + (double)EASE_PERIODS;
     return line_periods(terms, v, gain, BRAKE_SHARE) + (double)terms->taps - 1.0;
 }
 
@@ -86,11 +73,11 @@ static int is_late(nck_watch_t *self, const nck_terms_t *terms, const nck_watche
         const double line = line_periods(terms, seen->v, gain, 1.0);
         self->most = (uint32_t)(REST_MOST * (line + (double)LINE_PERIODS));
     }
-    const int unplanned = self->asked > answer_periods(terms) && !seen->planned;
+    const int unplanned = self->asked > ANSWER_PERIODS && !seen->planned;
     const double brake = brake_periods(terms, seen->ahead_v, seen->ahead_gain);
     const double last = (double)self->asked + brake;
     const int late = unplanned || last > (double)self->most;
-    self->stops = late || seen->slow || self->stops;
+    self->stops = late || seen->at_once || self->stops;
     return self->stops;
 }
 

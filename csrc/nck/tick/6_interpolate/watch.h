@@ -13,7 +13,7 @@
 typedef struct nck_watched {
     int asks;        // 1: somebody asks for rest
     int planned;     // 1: the plan in force brings it
-    int slow;        // 1: the tick is to do the rest: the plan has slowed down, or it stands
+    int at_once;     // 1: the rest is the tick's own: the path is clocked, or it stands
     uint32_t steps;  // of prep so far, modulo 2³²; 0: it has nothing left to do, or has not begun
     int on_tail;     // 1: the tick is on the stop tail
     double v;        // of the last tick [path mm/s]
