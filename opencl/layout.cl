@@ -10,9 +10,9 @@ __kernel void layout(__global ulong *seg, __global ulong *unit, __global ulong *
     const ulong of_seg[] = {
         OFFSET(nck_seg_t, seq), OFFSET(nck_seg_t, line), OFFSET(nck_seg_t, block),
         OFFSET(nck_seg_t, kind), OFFSET(nck_seg_t, rapid), OFFSET(nck_seg_t, stop),
-        OFFSET(nck_seg_t, keeps), OFFSET(nck_seg_t, mark), OFFSET(nck_seg_t, marks),
+        OFFSET(nck_seg_t, keeps), OFFSET(nck_seg_t, modes), OFFSET(nck_seg_t, marks),
         OFFSET(nck_seg_t, start), OFFSET(nck_seg_t, end),
-        OFFSET(nck_seg_t, length), OFFSET(nck_seg_t, s_begin), OFFSET(nck_seg_t, overlap),
+        OFFSET(nck_seg_t, length), OFFSET(nck_seg_t, s_begin),
         OFFSET(nck_seg_t, feed), OFFSET(nck_seg_t, feed_scale), OFFSET(nck_seg_t, v_most),
         OFFSET(nck_seg_t, spin), OFFSET(nck_seg_t, shape), sizeof(nck_seg_t),
     };
