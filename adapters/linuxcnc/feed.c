@@ -2,7 +2,7 @@
 // From the ring of moves into the kernel.
 #include "feed.h"
 
-#include <math.h>   // fabs fmax fmin
+#include <math.h>   // fabs fmax fmin sqrt
 #include <stdio.h>  // snprintf
 #include <string.h> // memcpy
 
@@ -15,6 +15,7 @@ enum {
     PATIENCE = 40,         // the same while the tool moves, and is near the end of what is known
     PATIENCE_FAR = 100,    // the same wherever it is: chords may be known and not be a path yet
     WAY_UNDER_WAY = 60,    // [ms] at full speed that a plan takes to be made, at most
+    PLAN = 8000,           // [1000 instructions] of a plan along a curve
     BRAKE = 60,            // [1000 instructions] a tick of more brakes, or sets off, by itself
     BESIDE_BRAKE = 8       // of a step beside it
 };
@@ -114,6 +115,23 @@ static int finish(planner_t *self) {
     return 1;
 }
 
+// What any move of the machine may have: the most speed, the least acceleration and jerk.
+typedef struct extremes {
+    double v, a, j; // [mm/s, mm/s², mm/s³]
+} extremes_t;
+
+static extremes_t extremes_of(const planner_t *self) {
+    extremes_t found = {0.0, 1e12, 1e12};
+    for (int k = 0; k < MOVES_AXES; k++) {
+        const nck_axis_t *const axis = &self->machine.axis[k];
+        if (!axis->present) continue;
+        found.v = fmax(found.v, axis->v_max);
+        found.a = fmin(found.a, axis->a_max);
+        found.j = fmin(found.j, axis->j_max);
+    }
+    return found;
+}
+
 static void push_block(planner_t *self) {
     moves_t *const moves = &self->moves;
     const uint32_t name = moves->next;
@@ -147,21 +165,14 @@ static int push(planner_t *self) {
 // More way is known than a brake takes and a plan to make: more may still come in time.
 static int is_far(const planner_t *self) {
     nck_queue_t queue;
-    double v = 0.0, a = 1e12, j = 1e12;
     if (!(self->told.v > 0.0)) return 0;
-    for (int k = 0; k < MOVES_AXES; k++) {
-        const nck_axis_t *const axis = &self->machine.axis[k];
-        if (!axis->present) continue;
-        v = fmax(v, axis->v_max);
-        a = fmin(a, axis->a_max);
-        j = fmin(j, axis->j_max);
-    }
+    const extremes_t most = extremes_of(self);
     nck_queue(&self->nck, &queue);
     const uint32_t held = queue.smooth + 1; // their ends are not planned
     const uint32_t ends = self->moves.back ? self->moves.next + held : self->moves.next - held;
     const move_t *const known = moves_at((moves_t *)&self->moves, ends);
-    const double brake = 0.5 * v * (v / a + a / j);
-    return fabs(known->way - self->at) > brake + WAY_UNDER_WAY * 1e-3 * v;
+    const double brake = 0.5 * most.v * (most.v / most.a + most.a / most.j);
+    return fabs(known->way - self->at) > brake + WAY_UNDER_WAY * 1e-3 * most.v;
 }
 
 // Nothing more has come for a while: what is there is all, as far as anybody knows.
@@ -201,6 +212,34 @@ static void hurry(planner_t *self) {
     nck_hurry(&self->nck, planner_cycles(self, WAY_UNDER_WAY));
 }
 
+// How long the next window of a curve is in the making, and the plan along it [cycles]: as long as
+// the last one. The first one has no clock to begin with, and tells little: twice as long.
+static double next_window(planner_t *self, double known, int works) {
+    const uint32_t grows = known > self->known;
+    self->making += (uint32_t)works;
+    if (grows && !self->grows) {
+        self->took = self->windows > 0 ? self->making : 2 * self->making;
+        self->windows++;
+        self->making = 0;
+    }
+    self->known = known;
+    self->grows = grows;
+    return self->took + PLAN / (double)self->budget;
+}
+
+// The kernel rests, and what is known of the curve lasts: before it brakes for the end of that, the
+// next window is there. So it sets off. works: it has not waited for moves in this cycle.
+static void set_off(planner_t *self, int works) {
+    double v;
+    const double known = nck_known_s(&self->nck, &v);
+    const double next = self->cycle_s * next_window(self, known, works);
+    if (!(known > 0.0) || self->grows) return;
+    const extremes_t most = extremes_of(self);
+    const double a = fmin(most.a, sqrt(v * most.j));
+    const double brake = v > 0.0 ? v / a + a / most.j : 0.0;
+    if (known > brake + next) nck_hurry(&self->nck, 1);
+}
+
 // The kernel needs input.
 static int give(planner_t *self) {
     if (!moves_has_next(&self->moves)) return flush(self);
@@ -238,6 +277,8 @@ void feed_prepare(planner_t *self) {
         price = nck_price(&self->nck);
         if (done + price > most) break;
     }
+    if (!(self->told.v > 0.0)) set_off(self, more);
+    else self->making = 0;
     if (more && self->told.v > 0.0) hurry(self); // a plan of less than its window comes in time
     self->told.work = done / PARTS;
 }

@@ -36,6 +36,7 @@ static void forget(planner_t *self) {
     self->first = self->moves.head;
     self->passed = self->count;
     self->empty = 1;
+    self->making = self->took = self->windows = 0;
     self->bounds_asked = self->bounds;
     self->told.between = 0;
     self->moved = 0;

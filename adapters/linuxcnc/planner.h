@@ -150,6 +150,11 @@ typedef struct planner {
     uint32_t quiet;         // cycles since the last one came
     uint32_t flushed;       // moves.next as of the last flush
     uint32_t empty;         // 1: the kernel has used up all that it was given
+    double known;           // how long a curve lasts that it has, before it sets off [s]
+    uint32_t grows;         // 1: that was less a cycle ago
+    uint32_t making;        // cycles at rest in which it has worked since then
+    uint32_t windows;       // of a curve that it has made at rest, …
+    uint32_t took;          // … of the last one so many cycles, of the first one twice as many
     uint32_t single;        // 1: the kernel rests at the end of every move
     uint32_t owed;          // 1: it is to be let go on, having rested there
     uint32_t moved;         // 1: the tool has moved since it was last let go on

@@ -75,6 +75,16 @@ void nck_hurry(nck_t *nck, uint32_t periods) {
     nck_smooth_hurry(&nck->smooth);
 }
 
+double nck_known_s(const nck_t *nck, double *v_out) {
+    const double known = nck_slope_known_s(&nck->slope);
+    const uint32_t fill = nck_lookahead_fill(&nck->lookahead);
+    *v_out = 0.0;
+    if (!(known > 0.0) || fill == 0) return 0.0;
+    const nck_node_t *const last = nck_lookahead_ahead(&nck->lookahead, fill - 1);
+    *v_out = nck_link_seg(&nck->link, last->seg)->length / nck->terms.knot_s;
+    return known;
+}
+
 void nck_end(nck_t *nck) { nck_decode_end(&nck->decode); }
 
 nck_status_t nck_diagnostic(nck_t *nck, nck_diagnostic_t *diagnostic_out) {

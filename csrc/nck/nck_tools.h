@@ -23,6 +23,12 @@ nck_status_t nck_take(nck_t *nck, nck_cell_t *cell_out);
 // Cost: linear in periods. Context: prep.
 void nck_hurry(nck_t *nck, uint32_t periods);
 
+// How long the path lasts, by its clock and to where it is known, that a plan from rest waits for
+// more of [s]; 0: none does, or the path has no clock. v: how fast it goes there [mm/s]. A caller
+// with a budget hurries if that lasts longer than a brake and what comes next is in the making.
+// Cost: constant. Context: prep.
+double nck_known_s(const nck_t *nck, double *v_out);
+
 // Read a text from its middle on, right after nck_init with the machine standing there: rooms 1 and
 // 2 as they were elsewhere behind so many blocks of the same text, which is at `text` here.
 // Cost: constant. Context: prep, before the tick runs.

@@ -273,6 +273,11 @@ uint32_t nck_optimal_price(const nck_optimal_t *self) {
     }
 }
 
+uint32_t nck_optimal_laid(const nck_optimal_t *self) {
+    if (!NCK_HAS_OPTIMAL || self->phase != PHASE_LAY) return 0;
+    return self->pace[1 - self->drawn].n;
+}
+
 void nck_optimal_hurry(nck_optimal_t *self) {
     if (NCK_HAS_OPTIMAL) self->job.starved = 1;
 }

@@ -80,6 +80,10 @@ nck_status_t nck_optimal_step(nck_optimal_t *self, const nck_pieces_t *pieces);
 // Cost: constant. Context: prep.
 uint32_t nck_optimal_price(const nck_optimal_t *self);
 
+// Intervals of the plan in work that are known, while it waits for more. Cost: constant.
+// Context: prep.
+uint32_t nck_optimal_laid(const nck_optimal_t *self);
+
 // The plan in work takes what is known: nothing more comes before the tick needs it.
 // Cost: constant. Context: prep.
 void nck_optimal_hurry(nck_optimal_t *self);

@@ -74,6 +74,11 @@ uint32_t nck_planner_price(const nck_slope_t *self) {
     return nck_optimal_price(NCK_OPTIMAL_AT(self, optimal));
 }
 
+uint32_t nck_planner_laid(const nck_slope_t *self) {
+    if (nck_planner_kind(self) != NCK_SLOPE_OPTIMAL) return 0;
+    return nck_optimal_laid(NCK_OPTIMAL_AT(self, optimal));
+}
+
 uint32_t nck_planner_seam(nck_slope_t *self, uint32_t cell) {
     if (nck_planner_kind(self) != NCK_SLOPE_OPTIMAL) return cell;
     return nck_optimal_seam(optimal_of(self), cell);

@@ -21,6 +21,10 @@ void nck_planner_begin(nck_slope_t *self, const nck_job_t *job);
 nck_status_t nck_planner_step(nck_slope_t *self, const nck_pieces_t *pieces);
 void nck_planner_hurry(nck_slope_t *self);
 
+// Intervals of a clocked path that the plan in work has, while it waits for more; 0: it has all, or
+// is along the exact path. Cost: constant.
+uint32_t nck_planner_laid(const nck_slope_t *self);
+
 // What the next step of the plan in work takes at most, in hundreds of a PC's instructions; 0: it
 // may wait for pieces. Cost: constant.
 uint32_t nck_planner_price(const nck_slope_t *self);

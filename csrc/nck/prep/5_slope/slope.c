@@ -424,6 +424,11 @@ nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const
     return note_work(self, pieces, work(self, pieces));
 }
 
+double nck_slope_known_s(const nck_slope_t *self) {
+    if (self->phase != PHASE_MAKE || self->kind != NCK_JOB_START) return 0.0;
+    return (double)nck_planner_laid(self) * self->terms->knot_s;
+}
+
 // The plan in work takes over within so many periods from the tick.
 static int takes_over_within(nck_slope_t *self, uint32_t periods) {
     const double time = (double)periods * self->machine->period_s - nck_link_lead(self->link);

@@ -104,6 +104,10 @@ static inline int nck_slope_lacks(const nck_slope_t *self, const nck_pieces_t *p
            && (self->idle.status == NCK_EMPTY || nck_link_taken(self->link) == self->idle.taken);
 }
 
+// How long the path lasts, by its clock and to where it is known, that a plan from rest waits for
+// more of [s]; 0: none does, or the path has no clock. Cost: constant. Context: prep.
+double nck_slope_known_s(const nck_slope_t *self);
+
 // Nothing more is known of the path. If the tick is about to run out of final cells, the plan in
 // work takes what is there; so it does where it takes over within so many periods, or begins at
 // rest and periods is not 0. Returns 1 if it would take more of the path than is known.
