@@ -23,6 +23,9 @@
 // The same of a clock that sets off: it is in no hurry, and what it takes grows with it.
 #define OFF_TAKEN NCK_NUM_OF(0.9)
 #define OFF_AHEAD NCK_NUM_OF(0.7)
+// … and what is kept for easing off where that would lead nowhere: the edge of what can be done is
+// met again and again, and is found by places that differ.
+#define OFF_LAST NCK_NUM_OF(0.97)
 // What it takes more than a plan that takes all: a slower rate leaves more, so it grows from there.
 #define LEAVE_SHARE NCK_NUM_OF(0.01)
 // Of a period, what is looked at apart. What is shorter weighs 0.055 in a sample of jerk at most.
@@ -62,7 +65,17 @@ typedef struct ease_pace {
 // What all axes allow of k″ [1/s²].
 typedef struct ease_range {
     nck_num low, high;
+    nck_num soft; // of a period that slows down: as it eases off where each part of it may
 } ease_range_t;
+
+// How k″ may be chosen in a period [1/s²].
+typedef struct ease_reach {
+    nck_num least; // what eases off
+    nck_num room;  // from there to the hardest
+    nck_num soft;  // what is not passed, if that can go on
+    nck_num last;  // what eases off where nothing else can
+    int lasts;     // 1: it sets off, and soon nothing can
+} ease_reach_t;
 
 // What is known before of a period's k″.
 typedef struct ease_wish {
@@ -75,6 +88,7 @@ typedef struct ease_wish {
 typedef enum ease_verdict { EASE_OPEN = 0, EASE_GOOD, EASE_BAD } ease_verdict_t;
 typedef struct ease_trial {
     nck_num change;    // k″ in the period [1/s²]
+    nck_num share;     // of the limits, that it counts on behind it
     ease_pace_t pace; // as far as it has been tried
     uint32_t verdict; // ease_verdict_t
 } ease_trial_t;
@@ -134,6 +148,7 @@ static void bound_accel(ease_range_t *range, const nck_stretch_ways_t *on, nck_n
 static void bound_nothing(ease_range_t *range, nck_num period) {
     range->high = CHANGE_MOST / (period * period);
     range->low = -range->high;
+    range->soft = range->high;
 }
 
 // What is allowed on a stretch that takes so long [s].
@@ -166,7 +181,7 @@ static void try_stretch(ease_trial_t *trial, const nck_stretch_walk_t *walk,
     ease_pace_t *const pace = &trial->pace;
     const nck_num free = time_for(pace, 0, on->far);
     ease_range_t range;
-    bound_all(&range, walk, on, pace, free, pace->way < 0 ? SHARE_AHEAD : OFF_AHEAD);
+    bound_all(&range, walk, on, pace, free, trial->share);
     trial->verdict = EASE_BAD;
     if (range.low > range.high) return;
     const nck_num easing = pace->way < 0 ? range.high : range.low;
@@ -245,9 +260,18 @@ static nck_num change_at_last(const ease_pace_t *pace, nck_num change, nck_num m
     return nck_num_min(change, change_by_run(pace, period));
 }
 
+// Before that it eases off by what is kept for it.
+static nck_num change_last(const ease_pace_t *pace, nck_num least, const nck_stretch_walk_t *walk,
+                           const nck_stretch_t *on) {
+    ease_range_t last;
+    bound_all(&last, walk, on, pace, walk->period, OFF_LAST);
+    return nck_num_max(-pace->dk / walk->period, nck_num_min(least, last.low));
+}
+
 static ease_trial_t trial_of(const ease_pace_t *pace, nck_num change, nck_num period) {
     ease_trial_t trial;
     trial.change = change;
+    trial.share = pace->way < 0 ? SHARE_AHEAD : OFF_AHEAD;
     trial.verdict = EASE_GOOD;
     trial.pace.way = pace->way;
     trial.pace.dk = pace->dk + change * period;
@@ -257,32 +281,49 @@ static ease_trial_t trial_of(const ease_pace_t *pace, nck_num change, nck_num pe
     return trial;
 }
 
-// The hardest k″ in a period, within its range, behind which k′ can be eased off again: of what
-// eases off and the share of the range that may have lasted before, a brake also half of it; else
-// what eases off. Whether that can be done is asked where something else may be.
+// What is tried in a period, the hardest first: the share of the range that may have lasted before,
+// of a brake also half of it, and both as softly as every part of the period wants it; of who is
+// released that alone. Who sets off may count on more to ease off, where soon nothing can. Returns
+// how many.
+static int set_trials(ease_trial_t *trials, const ease_pace_t *pace, const ease_reach_t *reach,
+                      nck_num share, nck_num period) {
+    const nck_num hard = reach->room * share;
+    const nck_num softer = NCK_NUM_OF(0.5) * hard;
+    trials[0] = trial_of(pace, nck_num_min(reach->soft, reach->least + hard), period);
+    trials[1] = trial_of(pace, nck_num_min(reach->soft, reach->least + softer), period);
+    if (pace->way < 0) return share > 0 ? TRIALS : reach->soft < reach->least;
+    if (!reach->lasts) return 1;
+    trials[1] = trial_of(pace, reach->last, period);
+    trials[1].share = OFF_LAST;
+    return TRIALS;
+}
+
+// The hardest k″ in a period of what is tried, behind which k′ can be eased off again; else what
+// eases off. Whether that can be done is asked where something else may be.
 static nck_num choose(const ease_pace_t *pace, const ease_range_t *range, ease_wish_t *wish,
                       nck_stretch_walk_t *walk, nck_stretch_t *on) {
     const nck_num period = walk->period;
-    const nck_num gone = -pace->dk / period; // … k′ is then
-    const nck_num least = gone < 0 ? nck_num_max(gone, range->low) : nck_num_min(gone, range->high);
-    const nck_num most = nck_num_min(range->high, change_to_run(pace, period));
-    const nck_num room = pace->way < 0 ? nck_num_min(0, range->low - least)
-                                        : nck_num_max(0, most - least);
-    const nck_num half = NCK_NUM_OF(0.5);
-    const nck_num gains = half * nck_num_max(0, room) * period;
-    const nck_num k = pace->k + (pace->dk + gains) * period;
     const int brakes = pace->way < 0;
-    const nck_num softer = brakes ? half * wish->share : 0;
+    const nck_num gone = -pace->dk / period; // … k′ is then
+    const nck_num most = nck_num_min(range->high, change_to_run(pace, period));
+    ease_reach_t reach;
+    reach.least = gone < 0 ? nck_num_max(gone, range->low) : nck_num_min(gone, range->high);
+    reach.room = brakes ? nck_num_min(0, range->low - reach.least)
+                        : nck_num_max(0, most - reach.least);
+    reach.soft = brakes ? range->soft : reach.least + reach.room;
+    reach.lasts = is_last(pace, wish->free, period);
+    reach.last = reach.lasts ? change_last(pace, reach.least, walk, on) : reach.least;
+    const nck_num half = NCK_NUM_OF(0.5);
+    const nck_num gains = half * nck_num_max(0, reach.room) * period;
+    const nck_num k = pace->k + (pace->dk + gains) * period;
     ease_trial_t trials[TRIALS];
-    trials[0] = trial_of(pace, least + room * wish->share, period);
-    trials[1] = trial_of(pace, least + room * softer, period);
-    const int count = brakes || is_last(pace, wish->free, period) ? TRIALS : 1;
+    const int count = set_trials(trials, pace, &reach, wish->share, period);
     const ease_trial_t *const found =
         try_all(trials, count, walk, on, nck_num_max(0, nck_num_min(k, 1)));
     const nck_num grows = brakes ? 2 : NCK_NUM_OF(1.5); // what sets off is in no hurry
     if (found == &trials[0]) wish->share = nck_num_min(1, grows * wish->share);
     else if (!brakes || !found) wish->share = nck_num_max(SHARE_LEAST, half * wish->share);
-    return found ? found->change : change_at_last(pace, least, wish->free, period);
+    return found ? found->change : change_at_last(pace, reach.last, wish->free, period);
 }
 
 // What k″ may be where the plan itself asks for nothing.
@@ -324,20 +365,28 @@ static void bound_parts(ease_range_t *range, nck_stretch_walk_t *walk, const eas
     }
 }
 
-// What is allowed in the period: in its mean, and of what makes k′ larger also in its parts. Easing
-// off was counted on before.
+// What is allowed in the period: in its mean, and, where the plan's jerk jumps in it, in its parts,
+// as far as the mean allows that, and what is counted on of easing off.
 static void bound_period(ease_range_t *range, nck_stretch_walk_t *walk, const ease_pace_t *pace,
                          nck_num far, nck_stretch_t *on) {
+    const int slows = pace->dk < 0 || (pace->way < 0 && !(pace->dk > 0));
     const nck_num share = pace->way < 0 ? SHARE_TAKEN : OFF_TAKEN;
+    const int jumps = walk->t + far > (nck_num)walk->cell->duration;
     nck_stretch_walk_t parts = *walk;
     nck_stretch_t part;
-    ease_range_t each;
+    ease_range_t each, ahead;
     part.to = on->to;
-    bound_parts(&each, &parts, pace, far, share, &part);
     nck_stretch_take(walk, far, on);
     bound_all(range, walk, on, pace, walk->period, share);
-    if (pace->way < 0) range->low = nck_num_max(range->low, nck_num_min(0, each.low));
-    else range->high = nck_num_min(range->high, nck_num_max(0, each.high));
+    range->soft = range->high;
+    if (!jumps || range->low > range->high) return;
+    bound_parts(&each, &parts, pace, far, share, &part);
+    bound_all(&ahead, walk, on, pace, walk->period, slows ? SHARE_AHEAD : OFF_AHEAD);
+    const nck_num low = slows ? range->high : nck_num_max(range->low, ahead.low);
+    const nck_num high = slows ? nck_num_min(range->high, ahead.high) : range->low;
+    range->low = nck_num_max(range->low, nck_num_min(each.low, low));
+    range->high = nck_num_min(range->high, nck_num_max(each.high, high));
+    range->soft = nck_num_max(range->low, nck_num_min(range->high, each.high));
 }
 
 // k″ in the period that begins where the walk does. Where the plan comes to its rest in it, none:
