@@ -185,6 +185,27 @@ static double factor_of(const nck_optimal_t *self) {
     return nck_optimal_goes_on(self) || !(told.share < SHARE_LOST) ? 0.0 : 1.0 / told.share;
 }
 
+// A plan that goes on creeps: over what the plan of now knows it takes longer than that one and the
+// caps together, one after the other. A window's end so near that there is no room for another
+// brake leaves the solver at its least b, of which no cells can be made: hours a seg.
+static int creeps(const nck_optimal_t *self, const nck_pieces_t *pieces) {
+    const nck_optimal_pace_t *const now = &self->pace[self->drawn];
+    const nck_optimal_pace_t *const work = &self->pace[1 - self->drawn];
+    const uint32_t at = work->first - now->first;
+    double more = 0.0;
+    if (!nck_optimal_goes_on(self)) return 0;
+    for (uint32_t k = 0; k < work->n && at + k < now->n; k++) {
+        const nck_node_t *const piece = nck_plan_there(pieces, work->first + k);
+        const double cap = nck_optimal_wanted(self, piece);
+        const double known = 2.0 / (nck_sqrt(now->b[at + k]) + nck_sqrt(now->b[at + k + 1]));
+        const double takes = 2.0 / (nck_sqrt(work->b[k]) + nck_sqrt(work->b[k + 1]));
+        more += takes - known;
+        if (!(cap > 0.0)) return 0;
+        more -= piece->length / (self->terms->knot_s * nck_sqrt(cap));
+    }
+    return more > 0.0;
+}
+
 // The place of most speed before a plan brakes for its window's end.
 static uint32_t find_top(const nck_optimal_pace_t *work, uint32_t least) {
     if (work->ends) return work->n;
@@ -230,7 +251,7 @@ static nck_status_t solve_again(nck_optimal_t *self) {
     return set_wish(self);
 }
 
-static nck_status_t solve_motion(nck_optimal_t *self) {
+static nck_status_t solve_motion(nck_optimal_t *self, const nck_pieces_t *pieces) {
     const nck_status_t status = nck_motion_step(&self->motion);
     nck_optimal_pace_t *const work = nck_optimal_work(self);
     if (status != NCK_DONE) return status;
@@ -244,6 +265,7 @@ static nck_status_t solve_motion(nck_optimal_t *self) {
     for (uint32_t k = 0; nck_optimal_goes_on(self) && k < NCK_OPTIMAL_GIVEN; k++) {
         work->b[k] = now->b[work->first - now->first + k]; // to the bit
     }
+    if (creeps(self, pieces)) return NCK_E_STATE;
     work->top = find_top(work, NCK_OPTIMAL_GIVEN + 1);
     self->takes_over = commit_of(self, work) - (nck_optimal_goes_on(self) ? 0 : 1);
     self->i = 0;
@@ -259,7 +281,7 @@ nck_status_t nck_optimal_step(nck_optimal_t *self, const nck_pieces_t *pieces) {
     switch (self->phase) {
     case PHASE_LAY: return lay_window(self, pieces);
     case PHASE_FILL: return fill_nodes(self, pieces);
-    case PHASE_SOLVE: return solve_motion(self);
+    case PHASE_SOLVE: return solve_motion(self, pieces);
     default: return nck_optimal_draw(self, pieces);
     }
 }
