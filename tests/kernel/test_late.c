@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// Along a clocked path prep is late, starved and hurried: every axis keeps its limits, and the tool
+// arrives.
+//
+//     test_late [COUNT [FIRST]]   so many random sessions, from this number on; tells the worst
+
+#include "front_check.h"
+
+enum { LINES = 600, LINE_BYTES = 64, AXES = 2, PLACES = 4 };
+#define MOST_S 60.0 // a session takes less
+// Of a limit: what cells are off their plan by; of a jerk where the tick's clock sets off and
+// another plan comes (docs/stops.md).
+#define MOST 1.005
+#define JERK_MOST 1.15
+
+static front_t front;
+static uint64_t seed;
+static uint32_t count = 20, first = 240; // 248, 255: a plan crept for hours, 17 times a jerk
+
+static double draw(double low, double high)
+{
+    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    return low * pow(high / low, (double)(seed >> 11) * 0x1p-53);
+}
+
+static uint32_t pick(uint32_t n)
+{
+    (void)draw(1.0, 2.0);
+    return (uint32_t)((seed >> 33) % n);
+}
+
+static struct {
+    char line[LINES][LINE_BYTES];
+    double at_s[LINES]; // when it may be pushed
+    int lines, next;    // so many; pushed
+    double v, a, j;     // of each axis
+    uint32_t steps, hurries; // of prep in a period at most; one in so many periods hurries besides
+    double periods;          // that it tells
+    double place[PLACES][AXES];
+    double most[3];          // of v, a and j that an axis has taken
+} session;
+
+static void write_burst(double *t, double *place, double *turned)
+{
+    const double size = draw(0.1, 2.0), feed = draw(600.0, 6000.0), turn = draw(0.02, 0.4);
+    const int chords = 3 + (int)pick(80);
+    *t += draw(0.05, 1.0);
+    for (int n = 0; n < chords && session.lines < LINES; n++) {
+        *turned += pick(20) ? turn : draw(0.5, 3.0);
+        place[0] += size * cos(*turned);
+        place[1] += size * sin(*turned);
+        session.at_s[session.lines] = *t;
+        snprintf(session.line[session.lines++], LINE_BYTES, "G1 X%.5f Y%.5f F%.1f\n", place[0],
+                 place[1], feed);
+    }
+}
+
+static void begin(uint32_t number)
+{
+    double t = 0.0, place[AXES] = {0.0, 0.0}, turned = 0.0;
+    memset(&session, 0, sizeof session);
+    seed = 2654435761u * (number + 1u);
+    for (int n = 0; n < 8; n++) (void)draw(1.0, 2.0);
+    front_machine(&front, NCK_SLOPE_OPTIMAL);
+    front.machine.period_s = pick(2) ? 1e-3 : 0.25e-3;
+    session.v = draw(50.0, 300.0);
+    session.a = draw(300.0, 5000.0);
+    session.j = draw(5000.0, 100000.0);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        nck_axis_t *const axis = &front.machine.axis[x];
+        axis->v_max = axis->rapid = session.v;
+        axis->a_max = session.a;
+        axis->j_max = session.j;
+    }
+    front.machine.path.feed_max = 2.0 * session.v;
+    front.machine.path.a_max = 2.0 * session.a;
+    front.machine.path.j_max = 2.0 * session.j;
+    session.steps = (uint32_t)draw(4.0, 60.0);
+    session.hurries = (uint32_t)draw(5.0, 100.0);
+    session.periods = draw(1.0, 200.0);
+    snprintf(session.line[session.lines++], LINE_BYTES, "G64 P%.4f\n", draw(0.01, 0.5));
+    for (int n = 0; n < 5; n++) write_burst(&t, place, &turned);
+    (void)front_start(&front);
+}
+
+// What prep lacks: a line, if one is there by now. Returns 1 if it has been given something.
+static int give(double now_s)
+{
+    size_t used = 0;
+    if (session.next < session.lines && session.at_s[session.next] <= now_s) {
+        const char *const line = session.line[session.next];
+        (void)nck_push(&front.nck, line, strlen(line), &used); // all of it, or none
+        session.next += used > 0;
+        return used > 0;
+    }
+    if (session.next == session.lines) nck_flush(&front.nck);
+    nck_hurry(&front.nck, (uint32_t)session.periods);
+    return 0;
+}
+
+static void prep(double now_s)
+{
+    uint32_t given = 0;
+    for (uint32_t n = 0; n < session.steps; n++) {
+        front.status = nck_prep(&front.nck);
+        if (front.status == NCK_FULL) break;
+        if (front.status == NCK_EMPTY && !give(now_s) && given++) break;
+    }
+    if (pick(session.hurries) == 0) nck_hurry(&front.nck, (uint32_t)session.periods);
+}
+
+static void measure(void)
+{
+    const double period = front.machine.period_s;
+    double (*const p)[AXES] = session.place;
+    memmove(p[1], p[0], sizeof session.place - sizeof *p);
+    memcpy(p[0], front.pose.axis, sizeof *p);
+    for (int x = 0; x < AXES; x++) {
+        const double v = (p[0][x] - p[1][x]) / period;
+        const double a = (p[0][x] - 2.0 * p[1][x] + p[2][x]) / (period * period);
+        const double j = (p[0][x] - p[3][x] - 3.0 * (p[1][x] - p[2][x])) / pow(period, 3.0);
+        session.most[0] = fmax(session.most[0], fabs(v) / session.v);
+        session.most[1] = fmax(session.most[1], fabs(a) / session.a);
+        session.most[2] = fmax(session.most[2], fabs(j) / session.j);
+    }
+}
+
+static int is_done(void)
+{
+    nck_queue_t queue;
+    nck_queue(&front.nck, &queue);
+    return session.next == session.lines && nck_is_idle(&front.nck)
+           && queue.text + queue.smooth + queue.segs == 0;
+}
+
+static void check_session(check_t *check, uint32_t number, double *worst)
+{
+    int done = 0;
+    begin(number);
+    for (uint64_t k = 0; !done && (double)k * front.machine.period_s < MOST_S; k++) {
+        prep((double)k * front.machine.period_s);
+        front.state = nck_tick(&front.nck, &front.pose, &front.axes);
+        measure();
+        done = is_done();
+    }
+    const double *const most = session.most;
+    *worst = fmax(*worst, most[2]);
+    const int keeps = most[0] <= MOST && most[1] <= MOST && most[2] <= JERK_MOST;
+    if (CHECK(check, keeps && done)) return;
+    printf("session %u: %.4f of v, %.4f of a, %.4f of j, done %d\n", number, most[0], most[1],
+           most[2], done);
+}
+
+static void limits_hold_however_late_prep_is(check_t *check)
+{
+    double worst = 0.0;
+    for (uint32_t k = 0; k < count; k++) check_session(check, first + k, &worst);
+    printf("%.4f of a jerk at most\n", worst);
+}
+
+int main(int argc, char **argv)
+{
+    check_t check = {0};
+    check_seeds(argc, argv, &count, &first);
+    if (NCK_HAS_OPTIMAL) CHECK_RUN(&check, limits_hold_however_late_prep_is);
+    return check_end(&check);
+}
