@@ -162,6 +162,7 @@ int main(int argc, char **argv)
 {
     check_t check = {0};
     check_seeds(argc, argv, &count, &first);
-    if (NCK_HAS_OPTIMAL) CHECK_RUN(&check, limits_hold_however_late_prep_is);
+    if (!NCK_HAS_OPTIMAL) count = 0; // the build has no clocked path
+    CHECK_RUN(&check, limits_hold_however_late_prep_is);
     return check_end(&check);
 }
