@@ -36,6 +36,11 @@ static const char *skip_blanks(const char *at) {
     return at;
 }
 
+static int16_t bounded_decimals(int decimals) {
+    if (decimals < DECIMALS_MIN) return DECIMALS_MIN;
+    return decimals > DECIMALS_MAX ? DECIMALS_MAX : (int16_t)decimals;
+}
+
 // Digits in a row, behind those of the mantissa; of too many the mantissa is worth nothing.
 static const char *read_digits(const char *at, uint64_t *mantissa) {
     for (unsigned digit = digit_of(*at); digit <= 9; digit = digit_of(*++at)) {
@@ -84,8 +89,7 @@ static const char *read_any(const char *at, nck_number_t *out) {
         }
     }
     out->mantissa = mantissa;
-    if (decimals < DECIMALS_MIN) decimals = DECIMALS_MIN;
-    out->decimals = (int16_t)(decimals > DECIMALS_MAX ? DECIMALS_MAX : decimals);
+    out->decimals = bounded_decimals(decimals);
     out->longer = (uint8_t)longer;
     return digits ? at : (const char *)0;
 }

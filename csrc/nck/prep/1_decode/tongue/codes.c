@@ -324,6 +324,14 @@ static int is_thread(const code_t *code) {
     }
 }
 
+// What a machine must be for a code: a lathe, or one that says what probes meet.
+static int is_able(const nck_decode_t *self, const code_t *code) {
+    if (!NCK_HAS_THREADS && is_thread(code)) return 0;
+    if (code->takes == SUB) return is_lathe(self);
+    if (!nck_motion_probes(code->name & CODE)) return 1;
+    return self->machine->dialect.probe != NCK_PROBE_REFUSED;
+}
+
 // An M code that is handed over: of the machine's own, or M29, whose taps are rigid anyhow.
 static int is_own(const nck_decode_t *self, int64_t tenths) {
     const unsigned fanuc = NCK_TONGUE_FANUC | NCK_TONGUE_TURNING;
@@ -378,16 +386,11 @@ static int is_lacking(const nck_decode_t *self, int64_t tenths) {
     return 0;
 }
 
-// What a machine must be for a code: a lathe, or one that says what probes meet. G0 to G3 are
-// everybody's, and nothing more is asked of them.
+// G0 to G3 are everybody's, and nothing more is asked of them.
 static nck_status_t check_able(const nck_decode_t *self, const code_t *code, int64_t tenths) {
     if (tenths <= PLAIN) return NCK_OK;
     if (is_lacking(self, tenths)) return NCK_E_OTHER_BASE;
-    const int probes = nck_motion_probes(code->name & CODE);
-    const int is_built = NCK_HAS_THREADS || !is_thread(code);
-    const int fits = code->takes != SUB || is_lathe(self);
-    const int may = !probes || self->machine->dialect.probe != NCK_PROBE_REFUSED;
-    return is_built && fits && may ? NCK_OK : NCK_E_UNSUPPORTED;
+    return is_able(self, code) ? NCK_OK : NCK_E_UNSUPPORTED;
 }
 
 nck_status_t nck_decode_code(const nck_decode_t *self, int letter, int64_t tenths,
