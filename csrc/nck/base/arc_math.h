@@ -11,15 +11,13 @@
 #ifndef NCK_BASE_ARC_MATH_H
 #define NCK_BASE_ARC_MATH_H
 
-#include <stdint.h> // uint8_t
-
 #include "nck/base/real.h"      // nck_real nck_sqrt
 #include "nck/base/trig_math.h" // NCK_PI, what nck_atan2 stands for
 
 // X Y Z follow one another in a circle: of the plane G17 … G19 axis 0 turns into axis 1, and axis 2
 // stands on it.
 static inline unsigned nck_plane_axis(unsigned plane, unsigned k) {
-    static const uint8_t axes[3][4] = {{0, 1, 2, 0}, {2, 0, 1, 0}, {1, 2, 0, 0}};
+    static const unsigned char axes[3][4] = {{0, 1, 2, 0}, {2, 0, 1, 0}, {1, 2, 0, 0}};
     return axes[plane - 17u][k];
 }
 

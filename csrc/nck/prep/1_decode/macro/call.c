@@ -80,8 +80,7 @@ static nck_status_t end_program(nck_decode_t *self) {
     return nck_seek_number(self, (uint64_t)number);
 }
 
-void nck_decode_moved(nck_decode_t *self) {
-    if (!NCK_HAS_CALLS || self->macro.modal == 0) return;
+void nck_decode_call_behind(nck_decode_t *self) {
     nck_words_t *const words = &self->words;
     if (self->macro.base != self->macro.modal_base) return;
     if (words->steps & NCK_STEP(NCK_STEP_CALL)) return;

@@ -18,9 +18,14 @@ nck_status_t nck_argument_keep(nck_decode_t *self, const char *at, unsigned plac
 
 // ---- call.c
 
-// M98, M99, G65, G66, G67; a move is done while G66 is in force.
+// M98, M99, G65, G66, G67.
 nck_status_t nck_decode_call(nck_decode_t *self, nck_block_t *out);
-void nck_decode_moved(nck_decode_t *self);
+
+// A move is done: while G66 is in force its call stands behind it. Plain lines ask no more.
+void nck_decode_call_behind(nck_decode_t *self);
+static inline void nck_decode_moved(nck_decode_t *self) {
+    if (NCK_HAS_CALLS && self->macro.modal != 0) nck_decode_call_behind(self);
+}
 
 // The innermost call is over: it returns, or is done again. NCK_E_FLOW: there is none. Cost: linear
 // in the parameters. Context: prep.

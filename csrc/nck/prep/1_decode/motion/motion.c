@@ -174,7 +174,7 @@ nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out) {
     const int absolute = (self->words.codes & NCK_STEP(NCK_STEP_MACHINE)) != 0;
     const nck_status_t status = nck_decode_target(self, absolute, target_nm);
     if (status != NCK_OK) return status;
-    if (self->macro.modal != 0) nck_decode_moved(self); // a plain line asks no more
+    nck_decode_moved(self);
     return nck_decode_go(self, NULL, target_nm, out);
 }
 
