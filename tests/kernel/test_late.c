@@ -9,9 +9,9 @@
 enum { LINES = 600, LINE_BYTES = 64, AXES = 2, PLACES = 4 };
 #define MOST_S 60.0 // a session takes less
 // Of a limit: what cells are off their plan by; of a jerk where the tick's clock sets off and
-// another plan comes (docs/stops.md).
+// another plan comes. Of 2 000 sessions four are beyond 1.005, the worst takes 1.017.
 #define MOST 1.005
-#define JERK_MOST 1.15
+#define JERK_MOST 1.02
 
 static front_t front;
 static uint64_t seed;

@@ -23,8 +23,8 @@
 // The same of a clock that sets off: it is in no hurry, and what it takes grows with it.
 #define OFF_TAKEN NCK_NUM_OF(0.9)
 #define OFF_AHEAD NCK_NUM_OF(0.7)
-// … and what is kept for easing off where that would lead nowhere: the edge of what can be done is
-// met again and again, and is found by places that differ.
+// … and what is kept for easing off wherever nothing else is known to lead on: the edge of what can
+// be done is met again and again, and is found by places that differ.
 #define OFF_LAST NCK_NUM_OF(0.97)
 // What it takes more than a plan that takes all: a slower rate leaves more, so it grows from there.
 #define LEAVE_SHARE NCK_NUM_OF(0.01)
@@ -312,7 +312,7 @@ static nck_num choose(const ease_pace_t *pace, const ease_range_t *range, ease_w
                         : nck_num_max(0, most - reach.least);
     reach.soft = brakes ? range->soft : reach.least + reach.room;
     reach.lasts = is_last(pace, wish->free, period);
-    reach.last = reach.lasts ? change_last(pace, reach.least, walk, on) : reach.least;
+    reach.last = brakes ? reach.least : change_last(pace, reach.least, walk, on);
     const nck_num half = NCK_NUM_OF(0.5);
     const nck_num gains = half * nck_num_max(0, reach.room) * period;
     const nck_num k = pace->k + (pace->dk + gains) * period;
