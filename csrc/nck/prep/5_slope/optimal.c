@@ -185,9 +185,10 @@ static double factor_of(const nck_optimal_t *self) {
     return nck_optimal_goes_on(self) || !(told.share < SHARE_LOST) ? 0.0 : 1.0 / told.share;
 }
 
-// A plan that goes on creeps: over what the plan of now knows it takes longer than that one and the
-// caps together, one after the other. A window's end so near that there is no room for another
-// brake leaves the solver at its least b, of which no cells can be made: hours a seg.
+// A plan that goes on creeps: over what the plan of now knows it takes longer than that one and,
+// behind it, the caps as far as a plan slows down below them. A window's end so near that there is
+// no room for another brake leaves the solver at its least b, of which no cells can be made: hours
+// a seg.
 static int creeps(const nck_optimal_t *self, const nck_pieces_t *pieces) {
     const nck_optimal_pace_t *const now = &self->pace[self->drawn];
     const nck_optimal_pace_t *const work = &self->pace[1 - self->drawn];
@@ -201,7 +202,7 @@ static int creeps(const nck_optimal_t *self, const nck_pieces_t *pieces) {
         const double takes = 2.0 / (nck_sqrt(work->b[k]) + nck_sqrt(work->b[k + 1]));
         more += takes - known;
         if (!(cap > 0.0)) return 0;
-        more -= piece->length / (self->terms->knot_s * nck_sqrt(cap));
+        more -= piece->length / (NCK_OPTIMAL_SLOWER_LEAST * self->terms->knot_s * nck_sqrt(cap));
     }
     return more > 0.0;
 }
