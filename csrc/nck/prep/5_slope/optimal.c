@@ -189,9 +189,9 @@ static double factor_of(const nck_optimal_t *self) {
 // behind it, the caps as far as a plan slows down below them. A window's end so near that there is
 // no room for another brake leaves the solver at its least b, of which no cells can be made: hours
 // a seg.
-static int creeps(const nck_optimal_t *self, const nck_pieces_t *pieces) {
-    const nck_optimal_pace_t *const now = &self->pace[self->drawn];
-    const nck_optimal_pace_t *const work = &self->pace[1 - self->drawn];
+static int creeps(nck_optimal_t *self, const nck_pieces_t *pieces) {
+    const nck_optimal_pace_t *const now = nck_optimal_now(self);
+    const nck_optimal_pace_t *const work = nck_optimal_work(self);
     const uint32_t at = work->first - now->first;
     double more = 0.0;
     if (!nck_optimal_goes_on(self)) return 0;

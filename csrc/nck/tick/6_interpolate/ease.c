@@ -66,6 +66,7 @@ typedef struct ease_pace {
 typedef struct ease_range {
     nck_num low, high;
     nck_num soft; // of a period that slows down: as it eases off where each part of it may
+    nck_num last; // low of who sets off, where no other way is known: by what is kept for it
 } ease_range_t;
 
 // How k″ may be chosen in a period [1/s²].
@@ -260,14 +261,6 @@ static nck_num change_at_last(const ease_pace_t *pace, nck_num change, nck_num m
     return nck_num_min(change, change_by_run(pace, period));
 }
 
-// Before that it eases off by what is kept for it.
-static nck_num change_last(const ease_pace_t *pace, nck_num least, const nck_stretch_walk_t *walk,
-                           const nck_stretch_t *on) {
-    ease_range_t last;
-    bound_all(&last, walk, on, pace, walk->period, OFF_LAST);
-    return nck_num_max(-pace->dk / walk->period, nck_num_min(least, last.low));
-}
-
 static ease_trial_t trial_of(const ease_pace_t *pace, nck_num change, nck_num period) {
     ease_trial_t trial;
     trial.change = change;
@@ -312,7 +305,7 @@ static nck_num choose(const ease_pace_t *pace, const ease_range_t *range, ease_w
                         : nck_num_max(0, most - reach.least);
     reach.soft = brakes ? range->soft : reach.least + reach.room;
     reach.lasts = is_last(pace, wish->free, period);
-    reach.last = brakes ? reach.least : change_last(pace, reach.least, walk, on);
+    reach.last = brakes ? reach.least : nck_num_max(gone, nck_num_min(reach.least, range->last));
     const nck_num half = NCK_NUM_OF(0.5);
     const nck_num gains = half * nck_num_max(0, reach.room) * period;
     const nck_num k = pace->k + (pace->dk + gains) * period;
@@ -379,7 +372,14 @@ static void bound_period(ease_range_t *range, nck_stretch_walk_t *walk, const ea
     nck_stretch_take(walk, far, on);
     bound_all(range, walk, on, pace, walk->period, share);
     range->soft = range->high;
-    if (!jumps || range->low > range->high) return;
+    range->last = range->low;
+    if (range->low > range->high) return;
+    if (!jumps && pace->way < 0) return;
+    if (!jumps) {
+        bound_all(&ahead, walk, on, pace, walk->period, OFF_LAST);
+        range->last = ahead.low;
+        return;
+    }
     bound_parts(&each, &parts, pace, far, share, &part);
     bound_all(&ahead, walk, on, pace, walk->period, slows ? SHARE_AHEAD : OFF_AHEAD);
     const nck_num low = slows ? range->high : nck_num_max(range->low, ahead.low);
