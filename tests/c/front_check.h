@@ -4,7 +4,7 @@
 #ifndef FRONT_CHECK_H
 #define FRONT_CHECK_H
 
-#include <math.h>   // fabs
+#include <math.h>   // fabs fmax pow
 #include <string.h> // memset strlen
 
 #include "check.h"
@@ -53,6 +53,43 @@ static inline nck_status_t front_start(front_t *self)
     const nck_status_t status = nck_init(&self->nck, &self->machine, &hooks);
     (void)nck_position(&self->nck, &self->pose, &self->axes);
     return status;
+}
+
+// The same limits for all axes [mm/s, mm/s², mm/s³], and twice as much for the path.
+static inline void front_limit(front_t *self, double v, double a, double j)
+{
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        nck_axis_t *const axis = &self->machine.axis[x];
+        axis->v_max = axis->rapid = v;
+        axis->a_max = a;
+        axis->j_max = j;
+    }
+    self->machine.path.a_max = 2.0 * a;
+    self->machine.path.j_max = 2.0 * j;
+}
+
+// 1 if all that has been pushed is done.
+static inline int front_is_done(const front_t *self)
+{
+    nck_queue_t queue;
+    nck_queue(&self->nck, &queue);
+    return nck_is_idle(&self->nck)
+           && queue.text + queue.smooth + queue.segs + queue.outputs == 0;
+}
+
+// Spread over decades, by the linear congruence of MMIX (D. E. Knuth).
+static inline double front_draw(uint64_t *seed, double low, double high)
+{
+    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
+    return low * pow(high / low, (double)(*seed >> 11) * 0x1p-53);
+}
+
+// The seed of a session: those of neighbours begin unlike.
+static inline uint64_t front_seed(uint32_t number)
+{
+    uint64_t seed = 2654435761u * (number + 1u);
+    for (int n = 0; n < 8; n++) (void)front_draw(&seed, 1.0, 2.0);
+    return seed;
 }
 
 // Prep until it has nothing to do.

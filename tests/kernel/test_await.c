@@ -63,19 +63,11 @@ static void tick(check_t *check)
     CHECK(check, front.state != NCK_TICK_WAIT || front.outputs == 0);
 }
 
-static int is_done(void)
-{
-    nck_queue_t queue;
-    nck_queue(&front.nck, &queue);
-    return nck_is_idle(&front.nck)
-           && queue.text + queue.smooth + queue.segs + queue.outputs == 0;
-}
-
 static void rest(check_t *check)
 {
     int ticks = 0;
     nck_flush(&front.nck);
-    for (; !is_done() && ticks < FRONT_TICKS; ticks++) tick(check);
+    for (; !front_is_done(&front) && ticks < FRONT_TICKS; ticks++) tick(check);
     CHECK(check, ticks < FRONT_TICKS);
 }
 

@@ -22,11 +22,7 @@ static uint64_t seed;
 static uint32_t count = 12, first;
 static char text[TEXT];
 
-static double draw(double low, double high)
-{
-    seed = seed * 6364136223846793005u + 1442695040888963407u;
-    return low * pow(high / low, (double)(seed >> 11) * 0x1p-53);
-}
+static double draw(double low, double high) { return front_draw(&seed, low, high); }
 
 // What a session is: the machine, and the operator, who holds it every so many periods.
 typedef struct session {
@@ -113,24 +109,9 @@ static void write_program(const session_t *session)
 static void begin(const session_t *session, uint32_t slope)
 {
     front_machine(&front, slope);
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        nck_axis_t *const axis = &front.machine.axis[x];
-        axis->v_max = axis->rapid = session->v_max;
-        axis->a_max = session->a;
-        axis->j_max = session->j;
-    }
+    front_limit(&front, session->v_max, session->a, session->j);
     front.machine.path.feed_max = session->v_max;
-    front.machine.path.a_max = 2.0 * session->a;
-    front.machine.path.j_max = 2.0 * session->j;
     (void)front_start(&front);
-}
-
-static int is_done(void)
-{
-    nck_queue_t queue;
-    nck_queue(&front.nck, &queue);
-    return nck_is_idle(&front.nck)
-           && queue.text + queue.smooth + queue.segs + queue.outputs == 0;
 }
 
 // Periods that the program takes.
@@ -141,7 +122,7 @@ static int periods_of(const session_t *session, uint32_t slope)
     size_t left = strlen(text), used = 0;
     int k = 0;
     begin(session, slope);
-    for (; k < TICKS_MOST && (left > 0 || !is_done()); k++) {
+    for (; k < TICKS_MOST && (left > 0 || !front_is_done(&front)); k++) {
         do {
             (void)nck_push(&front.nck, rest, left, &used);
             rest += used;
@@ -158,8 +139,7 @@ static int periods_of(const session_t *session, uint32_t slope)
 static session_t session_of(uint32_t number)
 {
     session_t session;
-    seed = 2654435761u * (number + 1u);
-    for (int n = 0; n < 8; n++) (void)draw(1.0, 2.0);
+    seed = front_seed(number);
     session.family = number % FAMILIES;
     session.feed = draw(5.0, 150.0);
     session.a = draw(300.0, 5000.0);
