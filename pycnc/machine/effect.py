@@ -70,7 +70,16 @@ def idle(machine, key, plan="exact"):
         return f"{kind} plans without it; control.kind=nck does with it"
     if key in _JERK and settings.path.slope == "linear" and plan != "sshape":
         return "the linear slope tells jerk and does not limit it; path.slope=jerk does"
+    if key == "path.tolerance_mm" and kind in NCKS and plan == "exact":
+        return _unheeded(settings.path)
     return _unread(settings, key)
+
+
+def _unheeded(path):
+    """Return why nothing is smoothed within a tolerance; empty if there is none, or all is."""
+    if path.slope == "optimal" or path.tolerance_mm == 0:
+        return ""
+    return f"under the slope {path.slope} the path is exact; path.slope=optimal smooths"
 
 
 def _unread(settings, key):

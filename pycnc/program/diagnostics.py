@@ -237,6 +237,7 @@ class Wording:
             "miss": abs(value - limit),
             "tolerance": float(settings.path.arc_radius_mm),
             "machine": self._machine.name,
+            "slope": settings.path.slope,
             "unit": unit,
             "axis": axis,
             "key": f"{axis}_{unit}",

@@ -8,7 +8,7 @@ import numpy as np
 
 from pycnc.kernel.bind import lib
 from pycnc.kernel.records import dtype
-from pycnc.machine.control import PRINTERS
+from pycnc.machine.control import NCKS, PRINTERS
 from pycnc.machine.schema import AXES
 from pycnc.program.states import RESTORE, restored
 
@@ -137,9 +137,13 @@ def words_of(identity, name, count):
 
 def heard(findings, machine):
     """Return what holds of the kernel's findings (dtype ``nck_diagnostic_t``) with a machine's
-    control: of a printer's planner the limits that a program sets are in force, and no note;
-    Klipper takes no feed of 0 or less and no place out of range, and ends the print there."""
+    control: no slope is in force where another one plans; of a printer's planner the limits that a
+    program sets are, and no note; Klipper takes no feed of 0 or less and no place out of range, and
+    ends the print there."""
     kind = machine.settings.control.kind
+    if kind not in NCKS:
+        of_slope = (findings["code"] == lib.NCK_NOTE_TOLERANCE) & (findings["letter"] == ord("G"))
+        findings = findings[~of_slope]
     if kind not in PRINTERS:
         return findings
     kept = findings[findings["code"] != lib.NCK_NOTE_LIMITS]

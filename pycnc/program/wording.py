@@ -435,6 +435,10 @@ WORDING = {
         "P is {value} mm, and within less than 0.0001 mm nothing is smoothed: the path is exact",
         "G61 says so; else give a P of 0.0001 mm or more, as in G64 P0.01",
     ),
+    "no-tolerance:G": (
+        "under the slope {slope} the path is exact, whatever P",
+        "--set path.slope=optimal smooths within P; where the path is to be exact, G61 says so",
+    ),
     "no-tolerance": (
         "G64 without P means the machine's tolerance, and that is 0: the path is exact",
         "give P, as in G64 P0.01, or the machine a tolerance: --set path.tolerance_mm=0.01",

@@ -129,6 +129,27 @@ static void a_p_too_small_to_smooth_within_is_noted_once(check_t *check) {
     }
 }
 
+// Under a slope that smooths nothing P is noted, once; what the machine has for G64 is not.
+static void a_p_that_the_slope_does_not_heed_is_noted_once(check_t *check) {
+    static const uint32_t exact[] = {NCK_SLOPE_LINEAR, NCK_SLOPE_JERK};
+    case_begin(&self);
+    for (unsigned k = 0; k < sizeof exact / sizeof exact[0]; k++) {
+        self.machine.slope = exact[k];
+        case_decode(&self, "G61\nM8 G64 P0.01\nG61\nG64 P0.02\nM2\n");
+        CHECK_INT(check, self.findings, 1);
+        CHECK_INT(check, self.finding[0].code, NCK_NOTE_TOLERANCE);
+        CHECK_INT(check, self.finding[0].line, 2);
+        CHECK_INT(check, self.finding[0].column, 4);
+        CHECK_INT(check, self.finding[0].letter, 'G');
+        CHECK_NEAR(check, self.finding[0].value, 64.0, 0.0);
+        case_decode(&self, "G64\nG64 Q0.1\nG61\nM2\n");
+        CHECK_INT(check, self.findings, !NCK_HAS_OPTIMAL);
+        case_decode(&self, "G64 P0\nG64 P0.01\nM2\n");
+        CHECK_INT(check, self.findings, 1);
+        CHECK_INT(check, self.finding[0].letter, 'P');
+    }
+}
+
 static void a_feed_beside_a_change_of_units_is_noted(check_t *check) {
     case_begin(&self);
     case_decode(&self, "G90 G20 F10\nG1 X1\nG21 F9\nM2\n");
@@ -256,6 +277,7 @@ int main(void) {
     CHECK_RUN(&check, assumed_defaults_are_noted_once_each);
     CHECK_RUN(&check, a_g64_that_gives_no_tolerance_is_noted);
     CHECK_RUN(&check, a_p_too_small_to_smooth_within_is_noted_once);
+    CHECK_RUN(&check, a_p_that_the_slope_does_not_heed_is_noted_once);
     CHECK_RUN(&check, a_feed_beside_a_change_of_units_is_noted);
     CHECK_RUN(&check, a_text_without_a_block_is_no_program);
     CHECK_RUN(&check, a_nul_byte_ends_it_at_once);

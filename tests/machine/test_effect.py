@@ -24,6 +24,11 @@ from pycnc.machine.effect import idle_changes, idle_keys
         (["dialect.system=B"], "exact", {"dialect.system=B": "only dialect.base=fanuc"}),
         (["dialect.base=fanuc", "dialect.system=B"], "exact", {}),
         (["description=mine"], "exact", {"description=mine": "only lists"}),
+        (["path.tolerance_mm=0.1", "path.slope=jerk"], "exact",
+         {"path.tolerance_mm=0.1": "under the slope jerk the path is exact"}),
+        (["path.tolerance_mm=0", "path.slope=linear"], "exact", {}),
+        (["path.tolerance_mm=0.1", "path.slope=linear", "control.kind=linuxcnc"], "exact",
+         {"path.slope=linear": "linuxcnc plans without it"}),
         (["path.tolerance_mm=0.1"], "grades", {"path.tolerance_mm=0.1": "grades are planned"}),
     ],
 )  # fmt: skip

@@ -151,6 +151,24 @@ def test_the_exact_path_knows_no_tolerance(mode):
     assert len(digests) == 1
 
 
+@pytest.mark.parametrize(
+    ("mode", "changes", "told"),
+    [
+        ("G64 P0.01", {"slope": "jerk"}, "under the slope jerk the path is exact"),
+        ("G64 P0.01", {"slope": "linear"}, "under the slope linear the path is exact"),
+        ("G64 P0.00001", {"slope": "jerk"}, "nothing is smoothed"),
+        ("G64 P0.01", {"slope": "optimal"}, None),
+        ("G64", {"slope": "jerk", "path__tolerance_mm": 0.05}, None),
+        ("G61", {"slope": "linear", "path__tolerance_mm": 0.05}, None),
+        ("G64 P0.01", {"slope": "linear", "control__kind": "linuxcnc"}, None),
+    ],
+)
+def test_a_tolerance_that_nothing_heeds_is_told_once(mode, changes, told):
+    found = load(f"{mode}\n{corners(mode)}", **changes).diagnostics
+    said = [each.message for each in found if each.id == "no-tolerance"]
+    assert len(said) == (told is not None) and all(told in each for each in said)
+
+
 def test_setpoints_do_not_depend_on_how_fast_prep_is():
     program = load(micro_segments("G64 P0.02"))
     assert judged.digest_of(program, 40) == judged.digest_of(program, 5000)

@@ -122,8 +122,8 @@ typedef enum nck_note {
     NCK_NOTE_AFTER_END = 6,  // "after-end": text after M2 or M30 is not read
     NCK_NOTE_FEED_UNITS = 7, // "feed-units": F beside a G20 or G21 that changes the units
     NCK_NOTE_TOLERANCE = 8,  // "no-tolerance": the path is exact under G64: P, letter and value
-                             // [mm], or without P the machine's tolerance is below 0.1 µm, or it
-                             // is a build without smoothing
+                             // [mm], or without P the machine's tolerance is below 0.1 µm, or
+                             // (letter G) the slope or the build smooths nothing
     NCK_NOTE_CALLED = 9,     // "called-from": behind an error, once for every call in force: where
     NCK_NOTE_COMP_LEFT = 10, // "comp-left": the tool does not come to the contour between the line
                              // and line `limit`; value = material left there at most [mm]

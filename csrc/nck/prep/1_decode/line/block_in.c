@@ -61,9 +61,10 @@ int nck_decode_block_good(const nck_block_in_t *block) {
 static void set_path(nck_decode_t *self, const nck_block_in_t *block) {
     if (!(block->sets & NCK_IN_SETS_PATH)) return;
     const int within_p = block->path_mode == NCK_PATH_CONTINUOUS;
-    const int is_exact = !NCK_HAS_OPTIMAL || block->tolerance < NCK_TOLERANCE_MIN;
-    if (within_p && is_exact) {
+    if (within_p && block->tolerance < NCK_TOLERANCE_MIN) {
         nck_decode_note_word(self, NCK_NOTE_TOLERANCE, 'P', block->tolerance);
+    } else if (within_p && self->machine->slope != NCK_SLOPE_OPTIMAL) {
+        nck_decode_note_word(self, NCK_NOTE_TOLERANCE, 'G', 64.0);
     }
     self->modal.path_mode = block->path_mode;
     self->modal.tolerance_mm = within_p ? block->tolerance : 0.0;

@@ -219,16 +219,19 @@ nck_status_t nck_decode_diameter(nck_decode_t *self, nck_block_t *out) {
     return NCK_EMPTY;
 }
 
-// G64 without P means the machine's tolerance. That the path stays exact within one that is too
-// small is noted.
+// G64 without P means the machine's tolerance. That the path stays exact is noted: within one that
+// is too small, and under a slope that knows none where P or this build asks for one.
 static double read_tolerance(nck_decode_t *self) {
     const int says = nck_has_word(self, 'P');
     const double tolerance =
         says ? nck_word_real(self, 'P') * nck_unit_mm(self) : nck_decode_plain_mm(self);
-    if (!NCK_HAS_OPTIMAL) nck_decode_assume(self, NCK_NOTE_TOLERANCE);
-    if (tolerance >= NCK_TOLERANCE_MIN || tolerance < 0.0) return tolerance;
-    if (says) nck_decode_note_word(self, NCK_NOTE_TOLERANCE, 'P', tolerance);
-    else nck_decode_assume(self, NCK_NOTE_TOLERANCE);
+    const int is_exact = !NCK_HAS_OPTIMAL || (says && self->machine->slope != NCK_SLOPE_OPTIMAL);
+    if (tolerance >= NCK_TOLERANCE_MIN) {
+        if (is_exact) nck_decode_note_code(self, NCK_NOTE_TOLERANCE, NCK_STEP_PATH, 64.0);
+    } else if (tolerance >= 0.0) {
+        if (says) nck_decode_note_word(self, NCK_NOTE_TOLERANCE, 'P', tolerance);
+        else nck_decode_assume(self, NCK_NOTE_TOLERANCE);
+    }
     return tolerance;
 }
 
