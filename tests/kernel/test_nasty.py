@@ -79,6 +79,13 @@ def test_what_was_found_once_is_found_no_more(seed, number, family, worker):
     assert [case for _, _, case in nasty.findings("jerk", seed, [number], worker, family)] == []
 
 
+# Found once: the acceleration of a tiny move next to a rest held for a few periods at the speed of
+# the long move beside it, which took 2.6 times as long as with stops.
+@pytest.mark.parametrize(("seed", "number"), [(96, 2427), (96, 2649), (96, 2883), (702, 1656)])
+def test_a_tiny_move_at_a_rest_slows_no_other_down(seed, number, worker):
+    assert [found for _, _, found in nasty.findings("optimal", seed, [number], worker)] == []
+
+
 def to(x, y=0.0, z=0.0):
     return Move((round(x * 1e6), round(y * 1e6), round(z * 1e6), 0, 0, 0, 0, 0, 0))
 

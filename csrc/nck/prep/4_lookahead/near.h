@@ -10,6 +10,7 @@ typedef struct nck_near {
     double a;    // tangential acceleration [path mm/s²]
     double j;    // tangential jerk [path mm/s³]
     double slow; // share of the speed at which NCK_NEAR_SPAN segs reach far enough; 1: all of it
+    double vv;   // v² at the start or end is no more, by the junctions so near
 } nck_near_t;
 
 // 1 if nothing moves out of a junction (NULL: the path's begin). Cost: constant.

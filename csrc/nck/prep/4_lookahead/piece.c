@@ -27,7 +27,7 @@ typedef struct around {
     nck_near_t near[NCK_PACES];
 } around_t;
 
-static const nck_near_t NOTHING_NEAR = {NCK_UNLIMITED, NCK_UNLIMITED, 1.0};
+static const nck_near_t NOTHING_NEAR = {NCK_UNLIMITED, NCK_UNLIMITED, 1.0, NCK_UNLIMITED};
 
 // Nothing around. Without a jerk limit `near` is never asked for.
 static void begin_around(const nck_lookahead_t *self, around_t *around) {
@@ -217,15 +217,17 @@ static double speed_between(nck_lookahead_t *self, uint32_t count) {
 }
 
 // Under a jerk limit: how far a zone reaches into a seg from its node, between the segs node − 1
-// and node: at the seg's
-// own speed, or at what it can have gained by then with the acceleration that the zone leaves.
+// and node: at the seg's own speed, or at what it can have gained by then with the acceleration
+// that the zone leaves, from the node's speed on, which junctions near it bound.
 // Where no junction takes a share, as far as the filter mixes.
 static double zone_length(nck_lookahead_t *self, const nck_junction_t *junction, uint32_t node,
                           const around_t *around) {
     const double time = around->share[NCK_PACE_OVER] > 0.0 ? self->zone_s : self->terms->mix_s;
     const double near = nck_max(around->near[NCK_PACE_FEED].a, around->near[NCK_PACE_OVER].a);
     const double gained = 0.5 * nck_min(junction->a_most, near) * time * time;
-    const double raised = speed_between(self, node) + self->terms->v_filter;
+    const double vv = nck_max(around->near[NCK_PACE_FEED].vv, around->near[NCK_PACE_OVER].vv);
+    const double v = nck_min(speed_between(self, node), nck_sqrt(vv));
+    const double raised = v + self->terms->v_filter;
     return nck_min(junction->pace[NCK_PACE_OVER].v * time, raised * time + gained);
 }
 
