@@ -168,6 +168,7 @@ static void what_a_cycle_lacks_is_told(check_t *check) {
         {"G91 F9 G81 X1000 Z-2 R1 L1000000\nM2\n", NCK_E_NUMBER_RANGE, 1, 12},
         {"G90 F9 G81 X1 Z-2 R1 P1\nM2\n", NCK_E_WORD_UNUSED, 1, 22},
         {"G90 F9 G83 X1 Z-1 R1\nX2\nX3 Q2\nM2\n", NCK_E_WORD_MISSING, 1, 8},
+        {"G90 F9 G83 X1 Z-1 R1 Q0\nX2\nX3 Q2\nM2\n", NCK_E_NUMBER_RANGE, 1, 22},
         {"G98 G99\nM2\n", NCK_E_MODAL_GROUP, 1, 5},
         {"G81 G82 X1\nM2\n", NCK_E_MODAL_GROUP, 1, 5},
         {"G90 F9 G53 G81 X1 Z-2 R1\nM2\n", NCK_E_WORD_MISSING, 1, 8}

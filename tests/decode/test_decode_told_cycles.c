@@ -50,6 +50,11 @@ static const told_row_t cycles_rows[] = {
      " !11:15 number-range L 0/1000000; !12:15 number-range L 1.5/1000000;"
      " !13:15 number-range L 1000001/1000000; !14:15 word-unused K; !15:15 word-unused Q;"
      " !16:15 axis-unknown A; !17:1 word-missing X; !18:15 word-unused I"},
+    {"G0 Z10 F100\nG83 X1 Z-5 R1 Q0\nX2\nG83 X3 Z-5 R1 Q6\nX4 Q-1\nX5\nG73 X6 Z-5 R1 Q0\nX7 Z-6\n"
+     "G83 X8 Z-5 R1 Q1000001\nX9\n",
+     "1 rapid Z10; !2:15 number-range Q; 4 rapid~ X3; 4 rapid~ Z1; 4 line~ Z-5 F100; 4 rapid~ Z1;"
+     " !5:4 number-range Q -1/0; !7:15 number-range Q;"
+     " !9:15 number-range Q 1000001/1000000"},
     {"G91 G0 Z10 F60\nG81 X1 Y2 Z-5 R-2 L2\nX1 Z-6\nR-3 X1\nG99 X1 L3\nG90 X0 Z0 R1\n",
      "1 rapid Z10; 2 rapid~ X1 Y2; 2 rapid~ Z8; 2 line~ Z3 F60; 2 rapid~ Z8; 2 rapid~ X2 Y4;"
      " 2 line~ Z3; 2 rapid~ Z8; 3 rapid~ X3; 3 line~ Z2; 3 rapid~ Z8; 4 rapid~ X4; 4 rapid~ Z7;"

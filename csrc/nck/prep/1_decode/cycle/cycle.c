@@ -99,22 +99,29 @@ static void keep_or_forget(nck_decode_t *self, int32_t before) {
     cycle->does = self->lathe ? lathe_does(self, code) : does_of(code);
 }
 
+// What Q says is the depth of a peck, or the cycle drills nothing.
+static nck_status_t read_peck(nck_decode_t *self) {
+    int64_t peck_nm = 0;
+    nck_status_t status = NCK_OK;
+    if (nck_decode_asks_unit(self, 'Q')) {
+        status = nck_decode_fail_word(self, NCK_E_SCALE_UNIT, 'Q', nck_word_real(self, 'Q'), 0.0);
+    } else {
+        status = nck_decode_length_word(self, 'Q', &peck_nm);
+        if (status == NCK_OK && peck_nm <= 0) status = nck_decode_fail_range(self, 'Q', 0.0);
+    }
+    if (status == NCK_OK) {
+        self->held.cycle.peck_nm = peck_nm;
+    } else {
+        self->modal.motion = NCK_MOTION_REFUSED; // one mistake, one finding
+    }
+    return status;
+}
+
 // Q and P, where the cycle has them.
 static nck_status_t read_rest(nck_decode_t *self) {
     nck_cycle_t *const cycle = &self->held.cycle;
     const uint32_t said = self->words.letters & (NCK_LETTER('Q') | NCK_LETTER('P'));
-    nck_status_t status = NCK_OK;
-    int64_t peck_nm = cycle->peck_nm;
-    if (said & NCK_LETTER('Q')) {
-        if (nck_decode_asks_unit(self, 'Q')) {
-            return nck_decode_fail_word(self, NCK_E_SCALE_UNIT, 'Q', nck_word_real(self, 'Q'), 0.0);
-        }
-        status = nck_decode_length_word(self, 'Q', &peck_nm);
-        if (status == NCK_OK && peck_nm <= 0) {
-            status = nck_decode_fail_range(self, 'Q', 0.0);
-        }
-        if (status == NCK_OK) cycle->peck_nm = peck_nm;
-    }
+    nck_status_t status = (said & NCK_LETTER('Q')) != 0 ? read_peck(self) : NCK_OK;
     if (status == NCK_OK && (said & NCK_LETTER('P'))) {
         status = nck_decode_dwell_word(self, 'P', &cycle->dwell_s);
         cycle->said &= ~PECK_RESTS;
