@@ -201,6 +201,14 @@ static int only_gives(const sim_t *sim) {
     return sim->prep_status == NCK_DONE && !moves(sim);
 }
 
+// Whether the tick rests at a pose, and prep has no more for it: held, or full.
+static int rests(const sim_t *sim, const nck_pose_t *pose) {
+    const int held = pose->state == NCK_TICK_HOLD && !(pose->v > 0.0) // before a thread, too
+                     && is_prepared(sim) && !asked_of(sim->nck).abort;
+    const int waits = sim->prep_status == NCK_FULL && pose->state != NCK_TICK_WAIT;
+    return held || (waits && !moves(sim));
+}
+
 // Returns 1 if the row is one of the run.
 static int tick(sim_t *sim, sim_row_t *row) {
     const int gives = only_gives(sim);
@@ -219,11 +227,7 @@ static int tick(sim_t *sim, sim_row_t *row) {
     row->queue_cells = nck_queue_cells(sim->nck);
     row->feed_percent = sim->feed_percent;
     row->rapid_percent = sim->rapid_percent;
-    const int held = state == NCK_TICK_HOLD && !(row->pose.v > 0.0) // before a thread, too
-                     && is_prepared(sim) && !asked_of(sim->nck).abort;
-    const int waits = sim->prep_status == NCK_FULL && state != NCK_TICK_WAIT;
-    const int rests = held || (waits && !moves(sim));
-    sim->rest_ticks = rests ? sim->rest_ticks + 1 : 0;
+    sim->rest_ticks = rests(sim, &row->pose) ? sim->rest_ticks + 1 : 0;
     return 1;
 }
 

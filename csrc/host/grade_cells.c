@@ -70,6 +70,18 @@ static double vv_at(const nck_host_grade_cursor_t *cursor, double at) {
     return at < length ? ends[0] + (ends[1] - ends[0]) * (at / length) : ends[1];
 }
 
+// Behind what is made: the unit's next seg, the next phase.
+static void move_on(nck_host_grade_cursor_t *cursor, int leaves, int ends_unit, int finishes) {
+    if (leaves && !ends_unit) {
+        cursor->seg++;
+        cursor->s = 0.0;
+    }
+    if (finishes) {
+        cursor->phase++;
+        cursor->done = 0.0;
+    }
+}
+
 // The phase as far as its seg goes, or the rest of it. 0 if rounding alone is left of either.
 static int make_cell(const nck_host_grades_t *self, nck_host_grade_cursor_t *cursor,
                      nck_cell_t *cell) {
@@ -94,14 +106,7 @@ static int make_cell(const nck_host_grades_t *self, nck_host_grade_cursor_t *cur
     cell->last = (uint8_t)(leaves && (!ends_unit || unit->s_end >= seg->length));
     cursor->s += length;
     cursor->done += length;
-    if (leaves && !ends_unit) {
-        cursor->seg++;
-        cursor->s = 0.0;
-    }
-    if (finishes) {
-        cursor->phase++;
-        cursor->done = 0.0;
-    }
+    move_on(cursor, leaves, ends_unit, finishes);
     const int made = length > 0.0 && vv0 + vv1 > 0.0;
     cell->a = made ? nck_ramp_accel(length, vv0, vv1) : 0.0;
     cell->duration = made ? nck_ramp_duration(length, cell->v, nck_sqrt(vv1)) : 0.0;

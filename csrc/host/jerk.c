@@ -30,14 +30,17 @@ size_t nck_host_jerk_bytes(size_t nodes) {
 
 static int is_positive(double x) { return x > 0.0 && x <= DBL_MAX; }
 
+static int is_good(const nck_host_path_t *path, size_t i) {
+    return is_positive(path->length[i]) && is_positive(path->v_cap[i])
+           && is_positive(path->a_max[i]) && is_positive(path->j_max[i]) && path->v_node[i] >= 0.0;
+}
+
 static size_t first_bad(const nck_host_path_t *path, const nck_host_jerk_t *how) {
     if (!is_positive(how->period_s) || !is_positive(how->step_s)) return path->n;
     if (how->step_s > 4.0 * how->period_s) return path->n;
     if (!(how->j_scale >= 0.0 && how->j_scale <= 1.0)) return path->n;
     for (size_t i = 0; i < path->n; i++) {
-        const int good = is_positive(path->length[i]) && is_positive(path->v_cap[i])
-                         && is_positive(path->a_max[i]) && is_positive(path->j_max[i]);
-        if (!good || !(path->v_node[i] >= 0.0)) return i;
+        if (!is_good(path, i)) return i;
     }
     return path->n > 0 && path->v_node[path->n] >= 0.0 ? path->n + 1 : path->n;
 }

@@ -265,14 +265,19 @@ static int arrays_are_large(const nck_host_plan_t *plan) {
            && (!plan->outputs || plan->output_max >= least);
 }
 
-// A kernel that is full although nothing waits for the tick would never go on.
-static nck_status_t step(nck_host_plan_t *plan) {
-    const int was_full = plan->status == NCK_FULL;
+// A step of the kernel, and what it tells of its text.
+static void prepare(nck_host_plan_t *plan) {
     if (!plan->begun) begin(plan);
     plan->status = nck_prep(plan->nck);
     if (plan->block_last > 0) nck_leave_at(plan->nck, (uint32_t)plan->block_last);
     if (plan->reads) plan->text_used = nck_read_offset(plan->nck);
     if (plan->status < NCK_OK) plan->error = plan->status;
+}
+
+// A kernel that is full although nothing waits for the tick would never go on.
+static nck_status_t step(nck_host_plan_t *plan) {
+    const int was_full = plan->status == NCK_FULL;
+    prepare(plan);
     if (plan->status == NCK_EMPTY && plan->batch) {
         const nck_status_t fed = feed_steps(plan);
         if (fed != NCK_FULL) return fed;
@@ -300,6 +305,11 @@ static void complete_totals(nck_host_plan_t *plan) {
     }
 }
 
+// What is told of the plan does not add up.
+static int is_broken(const nck_host_plan_t *plan) {
+    return plan->why.broken || plan->why.trail.broken || (plan->spindle.on && plan->spindle.broken);
+}
+
 nck_status_t nck_host_plan_run(nck_host_plan_t *plan) {
     const uint64_t cells_before = plan->totals.cells;
     nck_status_t status = NCK_OK;
@@ -314,8 +324,7 @@ nck_status_t nck_host_plan_run(nck_host_plan_t *plan) {
         status = step(plan);
     }
     if (status == NCK_DONE) nck_host_why_end(&plan->why);
-    if (plan->why.broken || plan->why.trail.broken) return NCK_E_INTERNAL;
-    if (plan->spindle.on && plan->spindle.broken) return NCK_E_INTERNAL;
+    if (is_broken(plan)) return NCK_E_INTERNAL;
     complete_totals(plan);
     return status == NCK_DONE && plan->error < NCK_OK ? (nck_status_t)plan->error : status;
 }

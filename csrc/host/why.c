@@ -180,10 +180,10 @@ static nck_host_low_t low_of(nck_host_why_t *self, const nck_host_why_piece_t *b
     nck_host_low_t low = {piece->limit, 0, is_before ? before->seg : piece->seg, 0,
                           NCK_AXIS_MAX, 0, 0.0, 0.0};
     low.line = is_before ? self->line : line_at(self, self->begun ? before->s_end : own->s_begin);
-    if (self->begun) low.limit = reason_of(self, before);
-    if (!self->begun) {
-        low.ends = 1;
-    } else if (low.limit == NCK_LIMIT_CORNER || is_stopped_at(self, before, low.limit)) {
+    low.ends = self->begun == 0;
+    if (low.ends) return low;
+    low.limit = reason_of(self, before);
+    if (low.limit == NCK_LIMIT_CORNER || is_stopped_at(self, before, low.limit)) {
         low.limit = NCK_LIMIT_CORNER;
         low.axis = own->axis;
         low.angle = angle_of(own);

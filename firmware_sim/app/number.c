@@ -68,6 +68,19 @@ static int highest_bit(uint64_t mantissa) {
     return bit;
 }
 
+static int is_hexadecimal(const app_word_t *word, uint32_t sign) {
+    return word->length >= sign + 2 && word->at[sign] == '0' && word->at[sign + 1] == 'x';
+}
+
+// The power of two behind the p, where a mantissa has ended at `end`, 0: it has not. Returns 1 if
+// it is one.
+static int read_power(const app_word_t *word, uint32_t end, int64_t *exponent_out) {
+    if (end == 0 || end + 2 > word->length) return 0;
+    const uint32_t skip = word->at[end + 1] == '+' ? 2 : 1;
+    const app_word_t power = {word->at + end + skip, word->length - end - skip};
+    return power.length <= EXPONENT_DIGITS && app_integer(&power, exponent_out);
+}
+
 int app_real(const app_word_t *word, double *value_out) {
     int64_t exponent = 0;
     const uint32_t sign = word->length > 0 && word->at[0] == '-' ? 1 : 0;
@@ -75,14 +88,11 @@ int app_real(const app_word_t *word, double *value_out) {
         *value_out = (double)exponent;
         return 1;
     }
-    if (word->length < sign + 2 || word->at[sign] != '0' || word->at[sign + 1] != 'x') return 0;
+    if (!is_hexadecimal(word, sign)) return 0;
     uint64_t mantissa = 0;
     int places = 0;
     const uint32_t end = read_mantissa(word, sign + 2, &mantissa, &places);
-    if (end == 0 || end + 2 > word->length || mantissa >> MANTISSA_BITS) return 0;
-    const uint32_t skip = word->at[end + 1] == '+' ? 2 : 1;
-    const app_word_t power = {word->at + end + skip, word->length - end - skip};
-    if (power.length > EXPONENT_DIGITS || !app_integer(&power, &exponent)) return 0;
+    if (!read_power(word, end, &exponent) || mantissa >> MANTISSA_BITS) return 0;
     const int64_t shift = exponent - 4 * places;
     const int64_t top = shift + highest_bit(mantissa);
     if (mantissa != 0 && (top < EXPONENT_MIN || top > EXPONENT_MAX)) return 0;

@@ -23,12 +23,16 @@ static int32_t rounded(double value, double most) {
     return (int32_t)(kept < 0.0 ? kept - 0.5 : kept + 0.5);
 }
 
+static int are_torques_good(const drive_motor_set_t *set) {
+    return set->inertia >= 0.0 && set->viscous >= 0.0 && set->friction >= 0.0
+           && set->torque_most >= 0.0 && set->torque_most <= INT16_MAX;
+}
+
 static int is_good(const drive_motor_set_t *set) {
     const double size = set->increments < 0.0 ? -set->increments : set->increments;
-    const int torques = set->inertia >= 0.0 && set->viscous >= 0.0 && set->friction >= 0.0
-                        && set->torque_most >= 0.0 && set->torque_most <= INT16_MAX;
-    return set->counts >= 1.0 && size > 0.0 && size < 1e9 && torques && set->follow_most > 0.0
-           && set->periods > 0 && set->lag <= DRIVE_LAG_MOST && set->joint < NCK_AXIS_MAX;
+    return set->counts >= 1.0 && size > 0.0 && size < 1e9 && are_torques_good(set)
+           && set->follow_most > 0.0 && set->periods > 0 && set->lag <= DRIVE_LAG_MOST
+           && set->joint < NCK_AXIS_MAX;
 }
 
 int drive_init(drive_t *self, const drive_set_t *set, const nck_axes_t *axes, uint32_t places,

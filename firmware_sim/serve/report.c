@@ -195,6 +195,14 @@ void serve_say_status(serve_t *self) {
     serve_say(self, SERVE_SAY_END);
 }
 
+// M7 and M8, M9 if neither is on.
+static void say_coolant(serve_t *self, uint32_t coolant) {
+    uint32_t on = coolant != 0 ? coolant : 4;
+    for (uint32_t text = SERVE_SAY_MIST; on != 0; text++, on >>= 1) {
+        if (on & 1) serve_say(self, text);
+    }
+}
+
 // At the tool F is the tool's in a feed move, in mm/min; S always is.
 void serve_say_modes(serve_t *self, int at_tool) {
     static const uint8_t feeds[] = {94, 93, 95}; // nck_feed_mode_t
@@ -214,13 +222,10 @@ void serve_say_modes(serve_t *self, int at_tool) {
         [FIRST] = modal.plane, 21 - modal.inch, 90 + modal.incremental,
         feeds[modal.feed_mode], modal.spindle_on ? modal.spindle_code : 5,
         (int32_t)modal.tool_next, whole_of(modal.feed, inches), nearest(modal.spindle_rpm)};
-    uint32_t on = modal.coolant != 0 ? modal.coolant : 4;
     serve_say_form(self, SERVE_SAY_MODES, values);
     if (more > 0) serve_say_form(self, SERVE_SAY_TENTH, &values[MORE]);
     serve_say_form(self, SERVE_SAY_MORE_MODES, &values[FIRST]);
-    for (uint32_t text = SERVE_SAY_MIST; on != 0; text++, on >>= 1) {
-        if (on & 1) serve_say(self, text);
-    }
+    say_coolant(self, modal.coolant);
     serve_say_form(self, SERVE_SAY_LAST_MODES, &values[FIRST + 5]);
 }
 
