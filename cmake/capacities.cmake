@@ -50,8 +50,8 @@ foreach(name IN ITEMS state/finding state/variables number/bits number/integer n
         place/layout place/place place/table place/tool macro/argument macro/call macro/control
         macro/expression macro/jump macro/keep macro/oword macro/sign macro/system motion/corner
         motion/fillet motion/knots motion/probe motion/slant motion/spline motion/tap motion/thread
-        lathe/contour lathe/follow lathe/level lathe/profile lathe/rough lathe/turn cycle/cycle
-        cycle/height line/block_in entry source)
+        lathe/contour lathe/contour_cycle lathe/follow lathe/level lathe/rough lathe/turn
+        cycle/cycle cycle/height line/block_in entry source)
     list(APPEND NCK_RARE_SOURCES prep/1_decode/${name})
 endforeach()
 foreach(name IN ITEMS clear contour entry give join judge level pieces ring shape toolcomp

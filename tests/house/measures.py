@@ -152,7 +152,11 @@ def glossary():
 
 
 def rooms_of(word):
-    """Return the rooms of csrc/nck, base left out, that have a file or a type of this name."""
+    """Return the rooms of csrc/nck, base left out, that have a file or a type of this name.
+
+    Of several words the last is the thing: a velocity profile is a profile.
+    """
+    word = word.rpartition(" ")[2]
     own = re.compile(rf"\}} nck_{word}_t;")
     return {room_of(name) for name in house.CORE
             if Path(name).stem == word or own.search(house.read(name))} - {"base"}  # fmt: skip

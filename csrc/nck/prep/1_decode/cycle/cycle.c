@@ -12,7 +12,7 @@
 #include "nck/prep/1_decode/place/place.h" // nck_decode_target nck_layout_says_radius …
 #include "nck/prep/1_decode/macro/macro.h" // nck_decode_moved
 #include "nck/prep/1_decode/motion/motion.h" // nck_decode_cutting_feed nck_decode_cycle_fits …
-#include "nck/prep/1_decode/lathe/lathe.h" // nck_decode_peck nck_decode_profile …
+#include "nck/prep/1_decode/lathe/lathe.h" // nck_decode_peck nck_decode_contour_cycle …
 #include "nck/base/arc_math.h" // nck_plane_axis
 
 #include <stddef.h> // NULL
@@ -429,7 +429,7 @@ static nck_status_t other_cycle(nck_decode_t *self, int32_t code, nck_block_t *o
     if (nck_motion_is_spline(code)) return nck_decode_spline(self, out);
     if (nck_motion_probes(code)) return nck_decode_probe(self, out);
     return nck_motion_cuts_threads(code) ? nck_decode_screw(self, out)
-                                         : nck_decode_profile(self, out);
+                                         : nck_decode_contour_cycle(self, out);
 }
 
 nck_status_t nck_decode_cycle(nck_decode_t *self, nck_block_t *out) {

@@ -35,9 +35,9 @@ nck_status_t nck_contour_behind(nck_decode_t *self, nck_status_t status);
 // The text ends in the middle of a contour. NCK_E_LABEL. Cost: constant.
 nck_status_t nck_contour_missing(nck_decode_t *self);
 
-// ---- profile.c
+// ---- contour_cycle.c
 
 // G70 … G73.
-nck_status_t nck_decode_profile(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_contour_cycle(nck_decode_t *self, nck_block_t *out);
 
 #endif

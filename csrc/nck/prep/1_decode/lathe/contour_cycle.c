@@ -257,7 +257,7 @@ static nck_status_t check_modes(nck_decode_t *self) {
     return nck_decode_cycle_fits(self);
 }
 
-nck_status_t nck_decode_profile(nck_decode_t *self, nck_block_t *out) {
+nck_status_t nck_decode_contour_cycle(nck_decode_t *self, nck_block_t *out) {
     if (!NCK_HAS_CONTOUR) return NCK_E_UNSUPPORTED;
     if (self->held.rough.phase != 0) return nck_rough_next(self, out);
     nck_rough_t *const rough = &self->held.rough;
