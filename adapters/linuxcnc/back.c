@@ -21,7 +21,10 @@ int planner_reverse(planner_t *self, int reverse) {
     return 1;
 }
 
-int back_exact(planner_t *self, uint32_t single) {
+int back_single(planner_t *self, uint32_t single) {
+    nck_set_single_block(&self->nck, single);
+    if (self->single && !single) self->owed = 1;
+    self->single = single;
     moves_t *const moves = &self->moves;
     const move_t *const move = moves_at(moves, planner_current(self));
     if (self->settings.slope != NCK_SLOPE_OPTIMAL || single == moves->exact) return 0;

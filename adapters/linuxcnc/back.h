@@ -12,9 +12,9 @@
 // Cost: linear in the moves. Context: servo thread.
 void back_begin(planner_t *self, double at);
 
-// Along a curve within a tolerance moves have no ends: under single block what runs is begun anew,
-// as exact moves, and at rest behind it as what they are. Returns 1 if the kernel lets go of what
-// it has. Cost: constant. Context: servo thread.
-int back_exact(planner_t *self, uint32_t single);
+// Hear of single block. Along a curve within a tolerance moves have no ends: what runs is begun
+// anew, as exact moves, and at rest behind it as what they are. Returns 1 if the kernel lets go of
+// what it has. Cost: constant. Context: servo thread.
+int back_single(planner_t *self, uint32_t single);
 
 #endif

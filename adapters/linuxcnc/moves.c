@@ -189,6 +189,12 @@ void moves_resume(moves_t *self, uint32_t count, double share, double away) {
     if (move.kind == MOVE_CHORDS) self->part = (uint32_t)(from * move.chords);
 }
 
+// A chord of an arc leaves this axis, though it may come back to where it was.
+static int swings(const move_t *move, int k) {
+    return move->kind == MOVE_CHORDS && k < 3
+           && (move->arc.u[k] != 0.0 || move->arc.v[k] != 0.0);
+}
+
 // What a block has whose entry has a way.
 static void fill_way(const moves_t *self, const move_t *move, const double *offset,
                      nck_block_in_t *block) {
@@ -206,8 +212,7 @@ static void fill_way(const moves_t *self, const move_t *move, const double *offs
     if (move->feed > 0.0) block->sets |= NCK_IN_SETS_FEED;
     block->feed = move->feed;
     for (int k = 0; k < MOVES_AXES; k++) {
-        const int round = move->kind == MOVE_CHORDS && k < 3
-                          && (move->arc.u[k] != 0.0 || move->arc.v[k] != 0.0);
+        const int round = swings(move, k);
         const int off = self->anew && (self->axes >> k & 1u);
         if (end[k] == move->start[k] && !round && !off) continue;
         block->axes |= 1u << k;

@@ -5,7 +5,7 @@
 #include <math.h>   // fabs fmax fmin sqrt
 #include <string.h> // memcpy memset
 
-#include "back.h"   // back_begin back_exact
+#include "back.h"   // back_begin back_single
 #include "feed.h"   // feed_prepare
 #include "rates.h"  // rates_measure rates_hear rates_keep_behind
 #include "thread.h" // thread_begins thread_cycle
@@ -142,7 +142,9 @@ int planner_output(planner_t *self, int analog, int index, double value) {
     return 1;
 }
 
-static void put_outputs(planner_t *self, const planner_order_t *order) {
+static void put_before(planner_t *self, const planner_order_t *order) {
+    if (order->at_speed) put_word(self, order, MOVE_AT_SPEED, 0);
+    if (order->indexer >= 0) put_word(self, order, MOVE_UNLOCK, order->indexer);
     for (uint32_t n = 0; n < self->outputs; n++) {
         const planner_output_t *const output = &self->output[n];
         put_word(self, order, output->analog ? MOVE_ANALOG : MOVE_DIGITAL, output->index);
@@ -171,8 +173,7 @@ typedef struct shape {
 
 // In step with the spindle, whatever speed the host tells.
 static int is_thread(const planner_t *self, const shape_t *shape) {
-    const int leads = self->modal.lead > 0.0 && !self->modal.speed;
-    return leads && !shape->centre;
+    return self->modal.lead > 0.0 && !self->modal.speed && !shape->centre;
 }
 
 static int is_per_rev(const planner_t *self, const planner_order_t *order) {
@@ -252,23 +253,27 @@ static int is_same(const double *place, const double *goal) {
     return same;
 }
 
-// What comes before a move; its end is the goal then.
+// Whether a move has a speed, and where it ends.
+static int is_good(planner_t *self, const planner_order_t *order, const shape_t *shape,
+                   double *place_out) {
+    const int led = shape->back > 0.0 || is_thread(self, shape);
+    return read_end(self, shape->end, place_out)
+           && (led ? fabs(order->vel) < HUGE_VAL : order->vel > 0.0);
+}
+
+// A move, and what comes before it; its end is the goal then.
 static int add(planner_t *self, const planner_order_t *order, const shape_t *shape) {
     move_t move;
     double place[MOVES_AXES];
     if (!can_add(self, 5 + PLANNER_OUTPUTS)) return -1;
-    const int led = shape->back > 0.0 || is_thread(self, shape);
-    if (!read_end(self, shape->end, place)) return -2;
-    if (led ? !(fabs(order->vel) < HUGE_VAL) : !(order->vel > 0.0)) return -2;
+    if (!is_good(self, order, shape, place)) return -2;
     if (!shape->centre && is_same(place, self->goal)) return 0;
     const double length = make(self, order, shape, place, &move);
     if (length < 0.0) return -2;
     if (shape->centre && moves_reach(&move, &self->travel, -1e-6)) return -3;
     if (keep_within(self, &move)) move.path_mode = NCK_PATH_TURNS;
     put_bounds(self, order, &move);
-    if (order->at_speed) put_word(self, order, MOVE_AT_SPEED, 0);
-    if (order->indexer >= 0) put_word(self, order, MOVE_UNLOCK, order->indexer);
-    put_outputs(self, order);
+    put_before(self, order);
     self->way += length;
     move.way = self->way;
     move.length = length;
@@ -347,13 +352,8 @@ static int wait_is_over(planner_t *self, const move_t *move) {
 static void hear_holds(planner_t *self, const planner_wish_t *wish) {
     nck_pose_t pose;
     nck_axes_t axes;
-    const nck_tick_state_t state = nck_position(&self->nck, &pose, &axes);
-    const int waits = state == NCK_TICK_WAIT;
-    const uint32_t single = wish->single != 0;
-    nck_set_single_block(&self->nck, single);
-    if (self->single && !single) self->owed = 1;
-    self->single = single;
-    if (back_exact(self, single)) return;
+    const int waits = nck_position(&self->nck, &pose, &axes) == NCK_TICK_WAIT;
+    if (back_single(self, wish->single != 0)) return;
     if (self->paused && !self->holds) {
         nck_hold(&self->nck);
         self->holds = 1;
@@ -405,17 +405,23 @@ static void tell_motion(planner_t *self, const nck_pose_t *pose) {
     self->told.limit = pose->limit;
 }
 
+// Whether it rests between two moves, where single steps end.
+static void tell_between(planner_t *self, const nck_pose_t *pose, const move_t *move, int single) {
+    if (self->told.v > 0.0) {
+        self->moved = 1;
+        self->told.between = 0;
+    } else if (single && self->moved && !self->paused && pose->state == NCK_TICK_HOLD) {
+        self->told.between = (uint32_t)moves_is_over(&self->moves, move, self->told.place);
+        self->owed = !self->told.between; // it rests until it is let go on, between chords it is
+    }
+}
+
 static void tell_move(planner_t *self, const nck_pose_t *pose, int single) {
     planner_told_t *const told = &self->told;
     const int known = pose->line && moves_ahead(&self->moves, pose->line, self->first) >= 0;
     told->move = known ? pose->line : self->first;
     const move_t *const move = moves_at(&self->moves, told->move);
-    if (told->v > 0.0) self->moved = 1;
-    if (told->v > 0.0) told->between = 0;
-    else if (single && self->moved && !self->paused && pose->state == NCK_TICK_HOLD) {
-        told->between = (uint32_t)moves_is_over(&self->moves, move, told->place);
-        self->owed = !told->between; // it rests until it is let go on, between chords it is
-    }
+    tell_between(self, pose, move, single);
     self->at = self->skipped + (self->moves.back ? -pose->s : pose->s);
     told->to_go = fmax(0.0, move->way - self->at);
     if (!single && self->moved && rates_keep_behind(self)) told->between = 1;

@@ -183,6 +183,20 @@ static int is_same(const planner_t *self, uint32_t one, uint32_t other) {
     return off <= (self->by_turns && is_bound(self) ? fine * (double)other : 0.0);
 }
 
+// The feeds that are asked for stand still.
+static int stands(const planner_t *self, int bound) {
+    return self->by_turns && bound ? self->turned <= 0.0 : self->wanted == 0;
+}
+
+// Whether one of two comes to rest.
+static int is_turned(uint32_t one, uint32_t other) { return (one == 0) != (other == 0); }
+
+static int is_asked(const planner_t *self, const nck_command_t *asked, uint32_t feed,
+                    uint32_t rapid, uint32_t speed) {
+    return is_same(self, asked->feed_ppm, feed) && asked->rapid_ppm == rapid
+           && asked->speed_um_s == speed && !is_turned(asked->feed_ppm, feed);
+}
+
 // A change is heard at once if it comes to rest or leaves it.
 void rates_hear(planner_t *self, const planner_wish_t *wish) {
     nck_command_t asked;
@@ -191,15 +205,13 @@ void rates_hear(planner_t *self, const planner_wish_t *wish) {
     const int bound = is_bound(self);
     measure(self);
     nck_asked(&self->nck, &asked);
-    const int stands = self->by_turns && bound ? self->turned <= 0.0 : self->wanted == 0;
-    const int rests = (asked.feed_ppm == 0) != stands || (asked.rapid_ppm == 0) != (rapid == 0)
-                      || (asked.speed_um_s == 0) != (speed == 0);
+    const int rests = (asked.feed_ppm == 0) != stands(self, bound)
+                      || is_turned(asked.rapid_ppm, rapid) || is_turned(asked.speed_um_s, speed);
     self->calm++;
     const uint32_t calm = planner_cycles(self, nck_is_answering(&self->nck) ? PATIENCE : CALM);
     if (!rests && self->calm < calm) return;
     const uint32_t feed = bound ? override_of(self, fed_up_to(self)) : self->wanted;
-    const int same = is_same(self, asked.feed_ppm, feed) && asked.rapid_ppm == rapid
-                     && asked.speed_um_s == speed && (asked.feed_ppm == 0) == (feed == 0);
+    const int same = is_asked(self, &asked, feed, rapid, speed);
     const double calm_most = planner_cycles(self, PACE_MOST);
     if (!same) self->pace += (fmin(self->calm, calm_most) - self->pace) / PACES;
     if (!same || bound) self->calm = 0;

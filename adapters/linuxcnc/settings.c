@@ -97,17 +97,22 @@ static int equals(const char *a, const char *b) {
     return tolower((unsigned char)*a) == tolower((unsigned char)*b);
 }
 
-// A unit's name, or a number: of linear axes how many units a millimetre has.
+// The millimetres of a unit, by its name or by how many of it a millimetre has; 0: neither.
+static double mm_per(const char *unit) {
+    const double number = strtod(unit, NULL);
+    if (equals(unit, "inch") || equals(unit, "in") || equals(unit, "imperial")) return 25.4;
+    if (equals(unit, "mm") || equals(unit, "metric")) return 1.0;
+    return number > 0.0 ? 1.0 / number : 0.0;
+}
+
+// Of angles a number counts as degrees.
 static int read_units(settings_t *settings, FILE *file, char *why) {
     char value[LINE];
     if (find(file, "TRAJ", "LINEAR_UNITS", value)) {
-        const int inch = equals(value, "inch") || equals(value, "in") || equals(value, "imperial");
-        const int metric = equals(value, "mm") || equals(value, "metric");
-        const double number = strtod(value, NULL);
-        if (!inch && !metric && !(number > 0.0)) {
+        settings->mm_per_unit = mm_per(value);
+        if (!(settings->mm_per_unit > 0.0)) {
             return fail(why, "[TRAJ] LINEAR_UNITS", "write mm or inch");
         }
-        settings->mm_per_unit = inch ? 25.4 : metric ? 1.0 : 1.0 / number;
     }
     if (find(file, "TRAJ", "ANGULAR_UNITS", value)) {
         const int radians = tolower((unsigned char)*value) == 'r';
