@@ -16,6 +16,7 @@ enum {
     PATIENCE_FAR = 100,    // the same wherever it is: chords may be known and not be a path yet
     WAY_UNDER_WAY = 60,    // [ms] at full speed that a plan takes to be made, at most
     PLAN = 8000,           // [1000 instructions] of a plan along a curve
+    PARTS = 10,            // the kernel tells hundreds of instructions
     BRAKE = 60,            // [1000 instructions] a tick of more brakes, or sets off, by itself
     BESIDE_BRAKE = 8       // of a step beside it
 };
@@ -155,7 +156,9 @@ static int push(planner_t *self) {
     moves_t *const moves = &self->moves;
     const move_t *const move = moves_at(moves, moves->next);
     const int limits = move->kind == MOVE_LIMITS;
-    self->spindle = move->spindle;
+    const int follows = self->state == PLANNER_FOLLOWS;
+    if (follows && (limits || move->per_rev)) return 0;
+    if (!follows) self->spindle = move->spindle;
     if (move->kind >= MOVE_THREAD || rates_wait(self)) return finish(self);
     if (limits ? set_limits(self) : is_quiet(self)) moves->next = moves_on(moves, moves->next);
     else if (!limits) push_block(self);
@@ -177,7 +180,8 @@ static int is_far(const planner_t *self) {
 
 // Nothing more has come for a while: what is there is all, as far as anybody knows.
 static int flush(planner_t *self) {
-    const uint32_t patience = self->told.v > 0.0 ? PATIENCE : PATIENCE_AT_REST;
+    const uint32_t near = self->told.v > 0.0 ? PATIENCE : PATIENCE_AT_REST;
+    const uint32_t patience = self->state == PLANNER_FOLLOWS ? PATIENCE_FAR : near;
     if (self->flushed == self->moves.next || self->quiet < planner_cycles(self, patience)) return 0;
     if (self->quiet < planner_cycles(self, PATIENCE_FAR) && is_far(self)) return 0;
     nck_flush(&self->nck);
@@ -207,6 +211,7 @@ static int is_curve(const planner_t *self) {
 static void hurry(planner_t *self) {
     const int moves = self->told.v > 0.0;
     const uint32_t wait = is_curve(self) ? WAIT_FOR_CURVE : WAIT_AT_REST;
+    if (self->state == PLANNER_FOLLOWS) return;
     self->idle = moves ? 0 : self->idle + 1;
     if (!moves && self->idle <= planner_cycles(self, wait)) return;
     nck_hurry(&self->nck, planner_cycles(self, WAY_UNDER_WAY));
@@ -264,10 +269,10 @@ static int step(planner_t *self) {
     return 0;
 }
 
-void feed_prepare(planner_t *self) {
-    enum { PARTS = 10 }; // the kernel tells hundreds of instructions
+// Steps for what the budget leaves beside what is done already [100 instructions]. Returns 1 if
+// there is more to do.
+static int spend(planner_t *self, uint32_t done) {
     const uint32_t most = PARTS * self->budget;
-    uint32_t done = nck_tick_price(&self->nck);
     uint32_t price = nck_price(&self->nck);
     // A step each cycle, whatever it takes; beside a brake of more than the budget a small one.
     int more = done <= most || done <= PARTS * BRAKE || price <= PARTS * BESIDE_BRAKE;
@@ -277,8 +282,19 @@ void feed_prepare(planner_t *self) {
         price = nck_price(&self->nck);
         if (done + price > most) break;
     }
+    self->told.work = done / PARTS;
+    return more;
+}
+
+void feed_prepare(planner_t *self) {
+    const int more = spend(self, nck_tick_price(&self->nck));
     if (!(self->told.v > 0.0)) set_off(self, more);
     else self->making = 0;
     if (more && self->told.v > 0.0) hurry(self); // a plan of less than its window comes in time
-    self->told.work = done / PARTS;
+}
+
+void feed_ahead(planner_t *self) {
+    double v;
+    const int more = spend(self, follow_price(&self->follow));
+    (void)next_window(self, nck_known_s(&self->nck, &v), more);
 }

@@ -24,4 +24,8 @@ int feed_is_done(const planner_t *self);
 // Preparation for what `budget` leaves beside the tick, one step at least. Cost: they.
 void feed_prepare(planner_t *self);
 
+// The same for what comes behind a pass, while the spindle leads and the kernel rests. What hangs
+// on the spindle's speed, or on limits of then, waits until the pass is over. Cost: they.
+void feed_ahead(planner_t *self);
+
 #endif

@@ -115,6 +115,7 @@ static double mean_time(const follow_t *self, double tau) {
     for (uint32_t number = oldest(self); number <= self->head; number++) {
         for (int k = 0; k < FOLLOW_AXES; k++) {
             if (!(self->limits.v[k] > 0.0)) continue;
+            if (kink(self, number, k) == 0.0) continue; // the ones before have mixed all that it has
             const follow_mix_t mix = mixed(self, number, k, self->rps * tau);
             const double a = self->limits.a[k] * self->share;
             longest = fmax(longest, more * mix.acceleration / a);
@@ -261,8 +262,8 @@ int follow_line(follow_t *self, const double *end, double lead, double share, ui
     memcpy(to->place, end, sizeof to->place);
     self->head++;
     self->share = fmin(self->share, share);
-    const int moves = self->phase != FOLLOW_INDEX && self->asked >= 0.0;
-    if ((!moves && prepare(self)) || (self->phase != FOLLOW_INDEX && fit(self))) {
+    if (self->phase == FOLLOW_INDEX) return 1; // there all are prepared at once
+    if ((!(self->asked >= 0.0) && prepare(self)) || fit(self)) {
         if (self->phase == FOLLOW_SETTLES) go_on(self, stopped);
         return 1;
     }
@@ -420,4 +421,12 @@ uint32_t follow_move(const follow_t *self, double *to_go_out) {
     const follow_node_t *const to = node(self, number);
     *to_go_out = fmax(to->u - fmax(self->u, 0.0), 0.0) * to->lead;
     return to->move;
+}
+
+const double *follow_end(const follow_t *self) {
+    return node(self, self->taps ? 0 : self->head)->place;
+}
+
+uint32_t follow_price(const follow_t *self) {
+    return 40 + 11 * self->n / 10 + 3 * (self->head - self->tail);
 }

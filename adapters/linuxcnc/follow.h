@@ -98,6 +98,12 @@ int follow_cycle(follow_t *self, double turns, double rps, double *place_out);
 // Come to rest where it is. Cost: constant.
 void follow_stop(follow_t *self);
 
+// Hundreds of instructions that a cycle takes at most while no line comes. Cost: constant.
+uint32_t follow_price(const follow_t *self);
+
+// Where it comes to rest, as far as it is known: a tap where it began. Cost: constant.
+const double *follow_end(const follow_t *self);
+
 // The line in work, and how far its end is [mm]. Cost: linear in the lines.
 uint32_t follow_move(const follow_t *self, double *to_go_out);
 

@@ -318,7 +318,8 @@ void planner_abort(planner_t *self) {
 
 void planner_put(planner_t *self, const double *place) {
     const int follows = self->state == PLANNER_FOLLOWS;
-    const int rests = follows || (self->done && self->state == PLANNER_READY);
+    const int led = follows && feed_is_done(self);
+    const int rests = led || (self->done && self->state == PLANNER_READY);
     if (follows) self->state = PLANNER_READY;
     memcpy(self->told.place, place, sizeof self->told.place);
     forget(self);
@@ -451,11 +452,13 @@ static void follow(planner_t *self, const planner_wish_t *wish) {
     const int goes_on = thread_cycle(self, wish, place);
     tell_place(self, place);
     thread_tell(self);
+    if (self->closed && !self->dropped) feed_ahead(self);
     if (goes_on) return;
     self->state = PLANNER_READY;
     thread_end(self);
     keep_place(self);
-    if (self->dropped || self->moves.next == self->moves.head) tell_rest(self);
+    if (self->dropped && !feed_is_done(self)) stop(self, PLANNER_STOPS);
+    else if (self->dropped || is_over(self)) tell_rest(self);
 }
 
 static void end_stop(planner_t *self) {

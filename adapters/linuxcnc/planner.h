@@ -121,6 +121,8 @@ typedef struct planner {
     planner_told_t told;    // the owner reads
     follow_t follow;        // the pass in step with the spindle
     uint32_t dropped;       // 1: it was aborted
+    uint32_t led;           // the ring's first entry behind the pass
+    uint32_t closed;        // 1: it has come, and is planned while the pass is cut
     uint32_t cut;           // the first entry of the ring whose word the pass has not said yet
     double steps[PLANNER_STEPS]; // of the spindle's angle in the last cycles [revolutions]
     double turns;           // its angle in the last cycle

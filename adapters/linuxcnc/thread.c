@@ -7,7 +7,7 @@
 
 #include "feed.h" // feed_is_done feed_bounds
 
-enum { LINES = 8 }; // of a pass that are taken over in one cycle, at most
+enum { LINES = 8 }; // of a pass that are taken over in one cycle, at most; 1 once the index has passed
 
 static const move_t *next_of(const planner_t *self) {
     const moves_t *const moves = &self->moves;
@@ -42,16 +42,35 @@ static int take_line(planner_t *self) {
     return 1;
 }
 
+static int is_word(const move_t *move) {
+    return move->kind == MOVE_DIGITAL || move->kind == MOVE_ANALOG;
+}
+
 // The lines of the pass that have come: threads one behind the other, whatever their leads; words
 // between them are said where the tool is. A tap is one line.
 static void take(planner_t *self) {
     const move_t *next = next_of(self);
-    for (int n = 0; n < LINES && next; n++) {
-        if (next->kind == MOVE_DIGITAL || next->kind == MOVE_ANALOG) self->moves.next++;
+    const int most = self->follow.phase == FOLLOW_INDEX ? LINES : 1;
+    for (int n = 0; n < most && next; n++) {
+        if (is_word(next)) self->moves.next++;
         else if (next->kind != MOVE_THREAD || !take_line(self)) break;
         next = next_of(self);
     }
-    self->follow.open = !next || next->kind == MOVE_THREAD;
+    self->follow.open = !next || next->kind == MOVE_THREAD || is_word(next);
+}
+
+// Where what comes behind has come, the pass has all its lines: it can be planned from where they
+// end. The kernel rests where the pass began, and knows no place but that.
+static void end_lines(planner_t *self) {
+    const move_t *const next = next_of(self);
+    if (!next || (!self->follow.taps && next->kind >= MOVE_DIGITAL)) return;
+    nck_pose_t pose;
+    nck_axes_t axes;
+    const double *const end = follow_end(&self->follow);
+    (void)nck_position(&self->nck, &pose, &axes);
+    for (int k = 0; k < MOVES_AXES; k++) self->offset[k] = end[k] - pose.axis[k];
+    self->flushed = self->moves.next;
+    self->closed = 1;
 }
 
 // Words of the entries before one.
@@ -75,7 +94,8 @@ void thread_begin(planner_t *self) {
     (void)self->hooks.index(1);
     for (int n = 0; n < PLANNER_STEPS; n++) self->steps[n] = self->wish.rps * self->cycle_s;
     self->turns = self->wish.turns;
-    self->dropped = 0;
+    self->dropped = self->closed = 0;
+    self->led = self->moves.next;
     self->state = PLANNER_FOLLOWS;
 }
 
@@ -100,7 +120,9 @@ int thread_cycle(planner_t *self, const planner_wish_t *wish, double *place_out)
     const double rps = measure(self, wish->turns);
     memcpy(place_out, self->told.place, sizeof self->told.place);
     if (before == FOLLOW_NOT) return 0;
-    if (!self->dropped && !follow->taps) take(self);
+    if (!self->dropped && !follow->taps && !self->closed) take(self);
+    if (!self->closed) self->led = self->moves.next;
+    if (!self->dropped && !self->closed) end_lines(self);
     if (before == FOLLOW_INDEX) {
         if (self->hooks.index(0)) follow_index(follow, wish->rps > 0.0 ? wish->rps : rps);
         return 1;
@@ -131,12 +153,12 @@ void thread_stop(planner_t *self) {
 }
 
 void thread_end(planner_t *self) {
-    const double way = moves_at(&self->moves, self->moves.next - 1)->way;
-    if (!self->dropped) say(self, self->moves.next);
+    const double way = moves_at(&self->moves, self->led - 1)->way;
+    if (!self->dropped) say(self, self->led);
     self->skipped += way - self->at;
     self->at = way;
-    self->flushed = self->moves.next;
-    self->first = self->moves.next;
-    self->moves.tail = self->moves.next;
+    if (!self->closed) self->flushed = self->led;
+    self->first = self->led;
+    self->moves.tail = self->led;
     memset(self->told.dtg, 0, sizeof self->told.dtg);
 }
