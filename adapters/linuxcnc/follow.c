@@ -296,12 +296,14 @@ static void mean(const follow_t *self, double (*ring)[FOLLOW_AXES], const double
 
 // Of what the axes bear, what kinks take that the means mix with the way of now, or soon will: what
 // is left is for a chase. Kinks are passed no faster than leaves a little (to_kinks).
-static double strain(const follow_t *self) {
+static double strain(const follow_t *self, int ahead) {
     const double means = 2.0 * self->rps * (double)self->n * self->cycle_s;
     double most = 0.0;
     for (uint32_t n = oldest(self); n <= self->head; n++) {
         const follow_node_t *const at = node(self, n);
-        if (fabs(self->u - at->u) <= means + at->w) most = fmax(most, at->used);
+        const double off = self->u - at->u;
+        const int mixes = off <= means + at->w && -off <= (ahead ? means : 0.0) + at->w;
+        if (mixes) most = fmax(most, at->used);
     }
     return fmin(most, 1.0 - least);
 }
@@ -331,7 +333,7 @@ static double chase(const follow_t *self, double asked) {
         a = fmin(a, node(self, number)->a_most);
     }
     if (self->eased > 0) a *= fmin(1.0, 2.0 * fmax(1.0 - self->stopped, 0.5 * least));
-    if (!self->taps) a *= 1.0 - strain(self);
+    if (!self->taps) a *= 1.0 - strain(self, 1);
     const double bent = self->taps ? INFINITY : to_kinks(self, a) * self->cycle_s;
     const double step = a * self->cycle_s * self->cycle_s;
     const double out = sqrt(self->v_back * self->v_back + 2.0 * a * fmax(self->u, 0.0));
@@ -343,11 +345,13 @@ static double chase(const follow_t *self, double asked) {
     return self->u + fmin(fmax(can, -most), most);
 }
 
-// An abort stops at once where the means make a ramp within the limits of it; else it brakes.
+// An abort stops at once where the means make a ramp within the limits of it, as soon as kinks
+// behind have left them that much of the jerk; else it brakes.
 static double brake(const follow_t *self) {
     const follow_node_t *const to = node(self, line_at(self, self->u));
     const double v = fabs(self->step) / self->cycle_s;
-    if (v <= to->v_stop || self->u <= 0.0) return self->u;
+    if (self->u <= 0.0 || v <= to->v_stop * (1.0 - strain(self, 0))) return self->u;
+    if (v <= to->v_stop) return fmax(self->u + self->step, 0.0);
     const double step = fmax(v - to->a_most * self->cycle_s, 0.0) * self->cycle_s;
     return fmax(self->u + copysign(step, self->step), 0.0);
 }

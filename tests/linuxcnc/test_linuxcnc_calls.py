@@ -9,7 +9,7 @@ import stop_gate
 from linuxcnc_calls import BY_HAND
 from linuxcnc_stand_in import CYCLE_S, EVER, OWN, StandIn
 
-REST, EXACT = f"rest {EVER}", "term 1 0"
+REST, EXACT, WITHIN = f"rest {EVER}", "term 1 0", "term 2 0.01"
 REST_OR_STILL = "still 20000"
 WAY = ["term 2 0.01", "line 50 20 0 0", "line 50 20 10 0",
        "arc 50 0 10 0 0 0 0 0 0 0 10 10 0 0 0 1 0", "line 50 30 0 0"]  # fmt: skip
@@ -363,3 +363,36 @@ def test_leads_that_go_up_and_down_within_one_ramp_keep_the_jerk(stand_in, leads
     run = stand_in.run([*script, "sync 0 0", REST])
     assert run.places[-1] == pytest.approx([0, 0, z], abs=1e-6)
     assert linuxcnc_calls.held(run) == []
+
+
+@pytest.mark.parametrize("planner", ["optimal", "jerk"])
+@pytest.mark.parametrize(("led", "z"), [("line 0 0 0 -20", -20), (f"tap 50 0 0 -9{6 * ' 0'} 1", 0)])
+def test_what_comes_behind_the_spindles_lead_is_planned_meanwhile(stand_in, planner, led, z):
+    stand_in = stand_in if planner == "optimal" else stand_in.exact()
+    behind = [f"rapid 100 10 0 {z}", f"rapid 100 10 5 {z}", f"rapid 100 0 5 {z}"]
+    run = stand_in.run([WITHIN, "spindle 10 50", "run 500", "sync 2 0", led, "sync 0 0", *behind,
+                        REST])  # fmt: skip
+    moves = np.flatnonzero(np.abs(np.diff(run.places, axis=0)).max(axis=1) > 0)
+    left = np.argmax(run.places[:, 0] > 0) - 1
+    assert run.places[left, 2] == pytest.approx(z, abs=1e-6)
+    assert left - moves[moves < left].max() <= 4
+    assert run.places[-1] == pytest.approx([0, 5, z], abs=1e-6)
+    assert linuxcnc_calls.held(run) == [] or planner == "jerk"  # whose junctions are exact
+
+
+@pytest.mark.parametrize("cycles", range(0, 600, 37))
+def test_an_abort_in_a_thread_keeps_the_jerk(stand_in, cycles):
+    """Wherever it comes: in a ramp of its begin or of another lead, too."""
+    thread = ["spindle 10", "run 100", "sync 2 0", "line 0 0 0 -5", "sync 1 0", "line 0 1 0 -7",
+              "sync 0 0", "line 100 9 0 0", f"run {110 + cycles}"]  # fmt: skip
+    run = stand_in.run([*thread, "abort", REST, "line 50 1 2 3", REST])
+    assert linuxcnc_calls.held(run) == []
+    assert run.places[-1] == pytest.approx([1, 2, 3], abs=1e-6)
+
+
+@pytest.mark.thorough
+def test_lines_of_a_thread_that_have_come_before_it_begins_are_prepared_once(stand_in):
+    lines = [each for n in range(1, 61)
+             for each in (f"sync {2 + 0.01 * (n % 2)} 0", f"line 0 0 0 {-3 * n}")]  # fmt: skip
+    script = ["spindle 10", "run 100", *lines, "sync 0 0", "run 400"]
+    assert stand_in.count(script).max() <= 700_000  # 4 850 000 while each was by itself
