@@ -454,7 +454,7 @@ nck_status_t nck_motion_step(nck_motion_t *self) {
 
 uint32_t nck_motion_price(const nck_motion_t *self) {
     static const uint8_t pass[][2] = {{55, 0}, {12, 6}, {24, 18}, {107, 0}, {16, 16}, {27, 0},
-                                      {20, 40}, {0, 0}}; // as it is, and for each axis
+                                      {20, 54}, {0, 0}}; // as it is, and for each axis
     static const uint8_t rough[][2] = {{19, 9}, {13, 8}};
     const int is_rough = (self->wish.ends & NCK_MOTION_COARSE) != 0;
     const uint8_t *price = pass[self->phase];
