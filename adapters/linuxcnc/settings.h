@@ -12,7 +12,7 @@ enum {
     SETTINGS_AXES = 9,    // X Y Z A B C U V W
     SETTINGS_SHORT = NCK_PROFILE > 1024, // 1: built for servo periods of less than 1 ms
     // of a millisecond's cycles, where the INI says nothing [1000 instructions]
-    SETTINGS_BUDGET = SETTINGS_SHORT ? 480 : 215,
+    SETTINGS_BUDGET = SETTINGS_SHORT ? 480 : 240,
     SETTINGS_WHY = 256    // longest message
 };
 
