@@ -93,7 +93,8 @@ def jerk(
     """Say which jerk to begin with: what programs take with each, and what it buys.
 
     A ramp of acceleration of so many seconds leaves no vibration of a frequency whose period it
-    is, and little of those above.
+    is, and little of those above. The row none is MAX_JERK = 0 for all axes, with the planner
+    linear: it goes round corners slower, and dense programs take longer than with much jerk.
     """
     from pycnc.linuxcnc import advice, configuration
 
@@ -124,7 +125,7 @@ def _jerks(rows, chosen):
     """Yield the table: jerk, its ramp, the time, what is quiet."""
     from pycnc.report.plot import duration
 
-    least = rows[-1].time_s
+    least = min(row.time_s for row in rows)
     cells = [["jerk", "ramp", "time", "more", "no vibration above", ""]]
     for row in rows:
         more = f"+{row.time_s / least - 1:.1%}" if row.time_s > least > 0 else ""

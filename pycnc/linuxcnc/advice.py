@@ -77,7 +77,9 @@ def _jerk_of(accelerations, ramp_s):
 
 
 def rows_of(machine, texts, unit_mm, progress=None):
-    """Return what programs take with each jerk, the slowest first; the last row has no limit.
+    """Return what programs take with each jerk, the least first; the last row has no limit.
+
+    Without one the module's planner is linear, which may take longer than any.
 
     Parameters
     ----------
@@ -151,7 +153,7 @@ def draw(rows, chosen, name, path):
     jerks = [row.jerk for row in limited]
     axes.semilogx(jerks, [row.time_s for row in limited], "o-", color=_TIME)
     axes.axhline(rows[-1].time_s, color=_INK, linewidth=0.8, linestyle=":")
-    axes.text(jerks[0], rows[-1].time_s, "no limit", color=_INK, va="bottom")
+    axes.text(jerks[0], rows[-1].time_s, "no limit: linear", color=_INK, va="bottom")
     axes.semilogx([chosen.jerk], [chosen.time_s], "o", markersize=12, color=_CHOSEN, zorder=3)
     axes.set_ylim(bottom=0)
     axes.set_xlabel("jerk of linear axes [units/s³]", color=_INK)

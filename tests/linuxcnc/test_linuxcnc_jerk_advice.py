@@ -46,6 +46,16 @@ def test_more_jerk_takes_less_time_and_one_line_is_recommended(told, tmp_path):
     assert (tmp_path / "jerk.svg").read_text(encoding="utf-8").count("<svg") == 1
 
 
+def test_without_a_limit_the_planner_is_linear_and_the_table_says_what_that_costs(told, tmp_path):
+    told(Machine().ini)
+    dense = "".join(f"G1 F6000 X{0.4 * n:.1f} Y{0.3 * (n % 2)}\n" for n in range(1, 200))
+    (tmp_path / "dense.ngc").write_text(f"G21 G90 G64 P0.05\n{dense}M2\n", encoding="utf-8")
+    files = [str(tmp_path / name) for name in ("machine.ini", "dense.ngc")]
+    out = pycnc("linuxcnc", "jerk", *files).out
+    (line,) = re.findall(r"^ *none .*", out, re.M)
+    assert float(re.search(r"\+([\d.]+)%", line)[1]) > 10
+
+
 def test_a_program_to_which_jerk_is_all_one_is_told_what_ini_proposes(told, tmp_path):
     ini = Machine(a=4000).ini
     (tmp_path / "long.ngc").write_text("G21 G1 F600 X90\nX0\nM2\n", encoding="utf-8")
