@@ -57,7 +57,8 @@ def machine_of(text, name, folder):
         raise MachineFileError(name, problems)
     told = configuration.settings(text).get(("TRAJ", "NCK_TOLERANCE"))
     slope, *_ = draft.values.get("path.slope", ("optimal",))
-    changes = ["control.kind=nck_tp", f"path.slope={slope}"]
+    with_jerk = "optimal" if slope == "linear" else slope  # which has none, or is what none brings
+    changes = ["control.kind=nck_tp", f"path.slope={with_jerk}"]
     if not told:
         changes.append(f"path.tolerance_mm={_TOLERANCE_MM}")
     machine = Machine.from_text(draft.text([]), name=Path(name).stem)

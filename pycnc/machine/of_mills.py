@@ -104,6 +104,7 @@ def linuxcnc(source):
         source.draft.put("dialect.plane", 18, "LATHE = 1")
     _startup(source, unit)
     _planner(source, unit)
+    _without_jerk(source, letters)
     _arcs(source, unit)
     if source.word(("rs274ngc", "subroutine_path")):
         source.draft.left.append("subprograms in files: give their folder by --programs")
@@ -126,6 +127,18 @@ def _planner(source, unit):
     if "path.tolerance_mm" not in source.draft.values:
         tolerance = within * unit if within else Decimal("0.05")
         source.draft.put("path.tolerance_mm", tolerance, comment or "G64 without P of nck_tp")
+
+
+def _without_jerk(source, letters):
+    """MAX_JERK = 0 is none, of which an axis turns its acceleration round within a cycle; of all
+    axes, nck_tp has the planner linear."""
+    free = [letter for letter in letters if source.draft.limit(letter, "j_max") == 0]
+    period_ns, _ = source.number(("emcmot", "servo_period"))
+    for letter in free:
+        turn = 2 * source.draft.limit(letter, "a_max") * 10**9 / (period_ns or 10**6)
+        source.draft.axis(letter, "j_max", turn, "MAX_JERK = 0: none")
+    if free == list(letters) and source.draft.values.get("control.kind", ("",))[0] == "nck_tp":
+        source.draft.put("path.slope", "linear", "no axis has a MAX_JERK")
 
 
 def _for_offsets(source, letter):

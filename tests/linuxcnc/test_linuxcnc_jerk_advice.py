@@ -7,6 +7,7 @@ import pytest
 from command_line import pycnc
 from linuxcnc_stand_in import Machine
 
+from pycnc import machine
 from pycnc.linuxcnc import advice, configuration
 
 PART = "G21 G90 G64 P0.01\n" + "".join(
@@ -54,6 +55,22 @@ def test_without_a_limit_the_planner_is_linear_and_the_table_says_what_that_cost
     out = pycnc("linuxcnc", "jerk", *files).out
     (line,) = re.findall(r"^ *none .*", out, re.M)
     assert float(re.search(r"\+([\d.]+)%", line)[1]) > 10
+
+
+def test_an_ini_file_without_a_limit_is_planned_as_the_module_does_and_advised_all_the_same(
+    told, tmp_path
+):
+    ini = Machine(traj="TPMOD = nck_tp").ini
+    table = rows(told(ini).out)
+    none = ini.replace("MAX_JERK = 10000.0", "MAX_JERK = 0")
+    assert rows(told(none).out) == table
+    files = [str(tmp_path / name) for name in ("part.ngc", "machine.ini")]
+    assert "slope linear" in pycnc("time", files[0], "-m", files[1]).out
+    one = none.replace("MAX_JERK = 0", "MAX_JERK = 10000", 1)
+    (tmp_path / "machine.ini").write_text(one, encoding="utf-8")
+    assert "slope optimal" in pycnc("time", files[0], "-m", files[1]).out
+    limits = machine.Machine.load(files[1]).limits("j_max")
+    assert limits.tolist() == [10_000, 2e6, 2e6]  # 1000 mm/s² turned round within 1 ms
 
 
 def test_a_program_to_which_jerk_is_all_one_is_told_what_ini_proposes(told, tmp_path):
