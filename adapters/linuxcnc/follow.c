@@ -115,7 +115,7 @@ static double mean_time(const follow_t *self, double tau) {
     for (uint32_t number = oldest(self); number <= self->head; number++) {
         for (int k = 0; k < FOLLOW_AXES; k++) {
             if (!(self->limits.v[k] > 0.0)) continue;
-            if (kink(self, number, k) == 0.0) continue; // the ones before have mixed all that it has
+            if (kink(self, number, k) == 0.0) continue; // those before have mixed all that it has
             const follow_mix_t mix = mixed(self, number, k, self->rps * tau);
             const double a = self->limits.a[k] * self->share;
             longest = fmax(longest, more * mix.acceleration / a);

@@ -7,7 +7,8 @@
 
 #include "feed.h" // feed_is_done feed_bounds
 
-enum { LINES = 8 }; // of a pass that are taken over in one cycle, at most; 1 once the index has passed
+// Lines of a pass that are taken over in one cycle, at most; behind the index each has its price.
+enum { LINES = 8 };
 
 static const move_t *next_of(const planner_t *self) {
     const moves_t *const moves = &self->moves;
