@@ -13,15 +13,15 @@
 static const double tiny = 5e-7; // [mm]
 static const double beyond = 2.05; // times the distance to keep: what leads to it is longer
 
-static const uint8_t axes[2] = {NCK_AXIS_X, NCK_AXIS_Z};
+static const uint8_t along_of[2] = {NCK_AXIS_X, NCK_AXIS_Z};
 
 // Where the tool is: [0] along a, [1] along d.
 void nck_follow_place(const nck_decode_t *self, double *out) {
     const nck_rough_t *const rough = &self->held.rough;
     for (unsigned k = 0; k < 2; k++) {
         const unsigned axis = k == 0 ? rough->along : 1u - rough->along;
-        const int64_t way_nm = self->place.position_nm[axes[axis]]
-                               - self->held.contour.start_nm[axes[axis]];
+        const int64_t way_nm = self->place.position_nm[along_of[axis]]
+                               - self->held.contour.start_nm[along_of[axis]];
         out[k] = (double)rough->sign[k] * (double)way_nm / 1e6;
     }
 }
@@ -38,8 +38,8 @@ static nck_status_t give(nck_decode_t *self, nck_block_kind_t kind, const int64_
                          nck_block_t *out) {
     int moves = kind == NCK_BLOCK_ARC;
     for (unsigned k = 0; k < 2; k++) {
-        moves = moves || self->place.position_nm[axes[k]] != to_nm[k];
-        self->place.position_nm[axes[k]] = to_nm[k];
+        moves = moves || self->place.position_nm[along_of[k]] != to_nm[k];
+        self->place.position_nm[along_of[k]] = to_nm[k];
     }
     if (!moves) return NCK_EMPTY;
     const double feed = self->held.rough.feed;
@@ -54,8 +54,9 @@ nck_status_t nck_follow_go(nck_decode_t *self, nck_block_kind_t kind, double a, 
     const nck_rough_t *const rough = &self->held.rough;
     const unsigned along = rough->along;
     int64_t to_nm[2];
-    to_nm[along] = self->held.contour.start_nm[axes[along]] + rough->sign[0] * nck_nm_of(a);
-    to_nm[1 - along] = self->held.contour.start_nm[axes[1 - along]] + rough->sign[1] * nck_nm_of(d);
+    to_nm[along] = self->held.contour.start_nm[along_of[along]] + rough->sign[0] * nck_nm_of(a);
+    to_nm[1 - along] =
+        self->held.contour.start_nm[along_of[1 - along]] + rough->sign[1] * nck_nm_of(d);
     return give(self, kind, to_nm, out);
 }
 
@@ -137,7 +138,7 @@ static nck_status_t give_element(nck_decode_t *self, uint32_t k, nck_block_t *ou
     }
     const nck_status_t status = give(self, NCK_BLOCK_ARC, to_nm, out);
     for (unsigned axis = 0; axis < 2; axis++) {
-        const double tool_mm = (double)self->place.tool_nm[axes[axis]] / 1e6;
+        const double tool_mm = (double)self->place.tool_nm[along_of[axis]] / 1e6;
         const double shift_mm = (double)nck_nm_of(rough->shift_mm[axis]) / 1e6;
         out->centre_mm[1 - axis] = element->centre_mm[axis] + shift_mm - tool_mm;
     }
@@ -161,8 +162,8 @@ static nck_status_t give_slant(nck_decode_t *self, const nck_slant_t *slant, nck
     centre[rough->along] = (double)rough->sign[0] * slant->ca;
     centre[1 - rough->along] = (double)rough->sign[1] * slant->cd;
     for (unsigned axis = 0; axis < 2; axis++) {
-        const int64_t zero_nm = self->held.contour.start_nm[axes[axis]]
-                                - self->place.tool_nm[axes[axis]];
+        const int64_t zero_nm = self->held.contour.start_nm[along_of[axis]]
+                                - self->place.tool_nm[along_of[axis]];
         out->centre_mm[1 - axis] = (double)zero_nm / 1e6 + centre[axis];
     }
     out->sweep_rad = nck_level_turn(self, 1.0) * sweep;
@@ -238,7 +239,7 @@ static nck_status_t go_over(nck_decode_t *self, nck_block_t *out) {
 static nck_status_t go_home(nck_decode_t *self, nck_block_t *out) {
     nck_rough_t *const rough = &self->held.rough;
     int64_t to_nm[2];
-    for (unsigned k = 0; k < 2; k++) to_nm[k] = self->held.contour.start_nm[axes[k]];
+    for (unsigned k = 0; k < 2; k++) to_nm[k] = self->held.contour.start_nm[along_of[k]];
     rough->pass++;
     rough->spare += rough->spare_step;
     const int again = self->held.contour.count > 0 && rough->pass < rough->passes;
@@ -255,7 +256,7 @@ static nck_status_t shift(nck_decode_t *self, nck_block_t *out) {
     for (unsigned k = 0; k < 2; k++) {
         const double way_mm = left * (double)rough->pattern_nm[k] / 1e6;
         rough->shift_mm[k] = rough->spare_mm[k] + way_mm;
-        to_nm[k] = self->held.contour.start_nm[axes[k]] + nck_nm_of(rough->shift_mm[k]);
+        to_nm[k] = self->held.contour.start_nm[along_of[k]] + nck_nm_of(rough->shift_mm[k]);
     }
     rough->element = 0;
     rough->phase = NCK_ROUGH_COPY;
