@@ -4,6 +4,7 @@
 
 #include "nck/nck_tools.h"
 
+#include <stddef.h> // offsetof
 #include <string.h> // memset
 
 #include "nck/base/real.h" // nck_rounded
@@ -25,7 +26,8 @@ nck_status_t nck_init(nck_t *nck, const nck_machine_t *machine, const nck_hooks_
     if (!nck) return NCK_E_ARGUMENT;
     const nck_status_t status = nck_machine_check(machine);
     if (status != NCK_OK) return status;
-    memset(nck, 0, sizeof *nck);
+    memset(nck, 0, offsetof(nck_t, link)); // which is the largest part of it, and begins for itself
+    memset(&nck->interpolate, 0, sizeof *nck - offsetof(nck_t, interpolate));
     nck->machine = *machine;
     nck->command.feed_ppm = PPM;
     nck->command.rapid_ppm = PPM;

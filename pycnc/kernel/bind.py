@@ -15,6 +15,8 @@ os.environ.setdefault("OMP_WAIT_POLICY", "passive")
 
 from pycnc._nck import ffi, lib  # noqa: E402
 
+_plain = ffi.new_allocator(should_clear_after_alloc=False)  # who has the memory begins it
+
 _CAUSES = {
     lib.NCK_E_ARGUMENT: errors.ArgumentError,
     lib.NCK_E_MACHINE: errors.MachineError,
@@ -78,11 +80,11 @@ def build_of(kind):
 
 
 def room_for(type_name, size):
-    """Return memory for a record of so many bytes, zeros, and a pointer to it, which lives as long.
+    """Return memory for a record of so many bytes, and a pointer to it, which lives as long.
 
     type_name: of the pointer, such as ``"nck_t *"``.
     """
-    room = ffi.new("double[]", -(-size // ffi.sizeof("double")))
+    room = _plain("double[]", -(-size // ffi.sizeof("double")))
     return room, ffi.cast(type_name, room)
 
 

@@ -17,7 +17,10 @@ static uint32_t end_of(uint32_t word) { return word >> END_SHIFT; }
 
 static uint32_t cells_between(uint32_t taken, uint32_t end) { return (end - taken) & END_MASK; }
 
-void nck_link_init(nck_link_t *self) { memset(self, 0, sizeof *self); }
+void nck_link_init(nck_link_t *self) {
+    nck_link_renew(self);
+    self->owner = NCK_LINK_BOTH;
+}
 
 void nck_link_ask(nck_link_t *self) { nck_fence_store(&self->owner, NCK_LINK_ASKED); }
 
