@@ -9,7 +9,8 @@
 #define ROOM ((nck_num)0.3)  // [P²] a slack begins with at least
 #define BETTER ((nck_num)0.02) // [P²] by which a sample is worse before a row changes to it:
                                  // less and noise makes them take turns
-#define SOUND ((nck_num)2e-3)    // [P²] that a slack may be off at the end
+#define SOUND ((nck_num)2e-3)    // [P²] that a slack may be off at the end …
+#define SOUND_PER_GAP ((nck_num)0.02) // … or so much of a wide gap
 #define FARTHEST ((nck_num)0.95) // of the way to the nearest slack or price of zero
 #define LEAST_MU ((nck_num)1e-3) // that it begins with, where nothing jerks
 #define SMALL ((nck_num)0.02) // an objective of so much a row is as good as none
@@ -131,13 +132,36 @@ static inline nck_num jerk_of(const nck_fair_t *self, int axes, int i, int a) {
     return self->jerk[i * axes + a] + self->task.scale * third;
 }
 
+// What an axis' jerk costs in an interval, and how that changes with it: a fourth power beside a
+// square, beyond the axis' limit on with the slope and the curvature that it has there.
+typedef struct cost {
+    nck_num all;
+    nck_num slope; // by the jerk
+    nck_num curve; // half the second derivative
+} cost_t;
+
+static inline cost_t cost_of(const nck_fair_t *self, int axes, int i, int a) {
+    const nck_num share = self->task.share[a];
+    const nck_num jerk = share * jerk_of(self, axes, i, a);
+    const nck_num size = NCK_NUM_ABS(jerk);
+    const nck_num low = size < 1 ? size : 1;
+    const nck_num raised = self->task.even * low * low;
+    const nck_num curve = 1 + 6 * raised;
+    const nck_num slope = 2 * low * (1 + 2 * raised);
+    const nck_num over = size - low;
+    cost_t cost;
+    cost.all = low * low * (1 + raised) + over * (slope + curve * over);
+    cost.slope = share * (slope + 2 * curve * over);
+    if (jerk < 0) cost.slope = -cost.slope;
+    cost.curve = share * share * curve;
+    return cost;
+}
+
 static inline void look_at(nck_fair_t *self, int axes, int i) {
     nck_num cubic[NCK_AXIS_MAX][4];
     if (self->iterations > 0) take_step(self, axes, i);
     for (int a = 0; a < axes; a++) {
-        const nck_num jerk = jerk_of(self, axes, i, a);
-        const nck_num square = self->task.weight[a] * jerk * jerk;
-        self->sum.objective += square * (1 + self->task.even * square);
+        self->sum.objective += cost_of(self, axes, i, a).all;
         nck_basis_cubic(&self->y[i * axes + a], axes, cubic[a]);
     }
     for (int b = NCK_FAIR_BINS * i; b < NCK_FAIR_BINS * (i + 1); b++) {
@@ -259,11 +283,9 @@ static inline void solve_at(nck_fair_t *self, int axes, int i) {
     clear(self, axes, i);
     for (int k = 0; k < NCK_FAIR_BINS; k++) share_row(self, axes, NCK_FAIR_BINS * i + k, &pulls);
     for (int a = 0; a < axes; a++) {
-        const nck_num jerk = jerk_of(self, axes, i, a);
-        const nck_num square = self->task.weight[a] * jerk * jerk;
-        const nck_num raised = self->task.even * square;
-        jerk_pull[a] = 2 * self->task.weight[a] * self->task.scale * jerk * (1 + 2 * raised);
-        pulls.curve[a] = self->task.weight[a] * (1 + 6 * raised);
+        const cost_t cost = cost_of(self, axes, i, a);
+        jerk_pull[a] = self->task.scale * cost.slope;
+        pulls.curve[a] = cost.curve;
     }
     const int low = i < 3 ? 3 - i : 0;
     const int high = self->unknown + 3 - i < 4 ? self->unknown + 3 - i : 4;
@@ -328,8 +350,9 @@ static void set_prices(nck_fair_t *self) {
 static int is_done(nck_fair_t *self) {
     const nck_num rows = (nck_num)(self->task.knots * NCK_FAIR_BINS);
     const nck_num bar = self->task.gap * (self->sum.objective + SMALL * rows);
+    const nck_num sound = nck_num_max(SOUND, SOUND_PER_GAP * self->task.gap);
     if (self->iterations == 0) set_prices(self);
-    else if (self->sum.complement <= bar && self->sum.primal < SOUND) return 1;
+    else if (self->sum.complement <= bar && self->sum.primal < sound) return 1;
     if (self->iterations >= self->task.most) return 1;
     const nck_num shrink = self->sum.primal > FAR ? SLOWLY : QUICKLY;
     self->sum.mu = nck_num_max(shrink * self->sum.complement, ENOUGH * bar) / rows;

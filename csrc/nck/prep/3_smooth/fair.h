@@ -5,14 +5,17 @@
 // Interval i has control points i … i + 3. The first three stay, and the last three where the path
 // ends. Wanted is the least
 //
-//     Σ_i Σ_a q + even q²  +  stay Σ_b |e_b|²      q = weight_a (jerk_ia + scale·Δ³y_ia)²
-//                                                  |e| ≤ limit
+//     Σ_i Σ_a x² + even x⁴  +  stay Σ_b |e_b|²      x = share_a (jerk_ia + scale·Δ³y_ia)
+//                                                   |e| ≤ limit
 //
-// jerk: of the reference, over the axes' limit. What a motion takes goes by its largest jerk, to
-// which a fourth power is nearer than a square: q² evens jerk out. e: how far the curve is from a
-// sample, over P. A bin is a quarter of an interval. It has one row, that of its worst sample, so
-// the problem's size does not depend on the program. Primal-dual interior point method (S. Boyd and
-// L. Vandenberghe, Convex Optimization, 2004, section 11.7), Newton steps by a banded L D Lᵀ.
+// jerk: of the reference, over an axis' limit. What a motion takes goes by its largest jerk, to
+// which a fourth power is nearer than a square: x⁴ evens jerk out. Beyond the limit, |x| > 1, the
+// cost goes on as the parabola that it has there, for Newton's step takes all of a parabola and but
+// a third of a fourth power, and the reference begins far off (10 iterations for 14).
+// e: how far the curve is from a sample, over P. A bin is a quarter of an interval. It has one row,
+// that of its worst sample, so the problem's size does not depend on the program. Primal-dual
+// interior point method (S. Boyd and L. Vandenberghe, Convex Optimization, 2004, section 11.7),
+// Newton steps by a banded L D Lᵀ.
 #ifndef NCK_PREP_FAIR_H
 #define NCK_PREP_FAIR_H
 
@@ -42,7 +45,7 @@ typedef struct nck_fair_task {
     nck_num even;   // what the fourth power of a share of jerk counts beside its square
     nck_num scale;  // P/(J τ³), J: the least jerk of an axis
     nck_num stay;   // what a curve off its samples counts where jerk is far below its limit
-    nck_num weight[NCK_AXIS_MAX]; // (J / jerk of the axis)²
+    nck_num share[NCK_AXIS_MAX]; // J / jerk of the axis
 } nck_fair_task_t;
 
 // What a slice of work does.

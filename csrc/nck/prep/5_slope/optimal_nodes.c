@@ -11,10 +11,13 @@
 
 // Of the clock's pace, what a plan begins to be sought with; and of the last plan's, as far as
 // there is one: a little inside its limits.
-#define GUESS 0.6
+#define GUESS 0.8
 #define AGAIN 0.98
-// Nodes over which the guess brakes for a window's end.
-#define BRAKE_NODES 40.0
+// Of an axis' acceleration, what the guess brakes with for a window's end. Too slow a guess is
+// dear: a Newton step raises b by two thirds at most, and rows stop it one after another.
+#define BRAKE 0.7
+// Of its cap, b one node before that end.
+#define LAST 0.5
 #define PACE_LEAST 1e-8
 // Slower than that by its clock the path rests [mm/s].
 #define REST_LEAST 1e-6
@@ -259,19 +262,32 @@ static int is_near(const nck_optimal_t *self, const nck_optimal_pace_t *now, uin
     return nck_optimal_goes_on(self) && at <= now->top;
 }
 
+// b so many intervals before the end of the brake for a window's end: b′ is twice the acceleration
+// by the clock. Of `most` at most.
+static double brake_guess(const nck_optimal_t *self, uint32_t off, double most,
+                          const nck_num *first) {
+    const double gained = 2.0 * self->terms->knot_s * BRAKE * (double)off;
+    for (int x = 0; x < self->terms->axes; x++) {
+        const double a = self->terms->machine->axis[x].a_max;
+        const double speed = nck_fabs((double)first[x]);
+        if (speed * most > gained * a) most = gained * a / speed;
+    }
+    return most;
+}
+
 // A pace to begin with, which may break limits by far: the last plan's, as far as that is near; the
-// clock's own behind it, with a brake for this window's end.
-static double pace_guess(nck_optimal_t *self, uint32_t k, double most) {
+// clock's own behind it, with a brake for this window's end. first: p′ there.
+static double pace_guess(nck_optimal_t *self, uint32_t k, double most, const nck_num *first) {
     const nck_optimal_pace_t *const work = nck_optimal_work(self);
     const nck_optimal_pace_t *const now = nck_optimal_now(self);
     const uint32_t at = work->first - now->first + k;
     if (self->again > 0) return work->b[k];
     if (nck_optimal_goes_on(self) && k < NCK_OPTIMAL_GIVEN) return now->b[at];
     if (k == work->n && !work->ends) return 0.0;
-    const double x = (double)(work->n - k) / BRAKE_NODES;
     double b = GUESS * nck_min(most, 1.0);
     if (k > 0) b = nck_min(b, reached(self, k));
-    if (!work->ends && x < 1.0) b *= x * nck_sqrt(nck_sqrt(x));
+    if (!work->ends) b = brake_guess(self, work->n - k - 1, b, first);
+    if (!work->ends && k + 1 == work->n) b = LAST * most;
     if (is_near(self, now, at)) b = AGAIN * now->b[at];
     if (nck_optimal_slows(self)) b = now->b[at];
     return nck_max(b, PACE_LEAST);
@@ -334,11 +350,11 @@ void nck_optimal_fill(nck_optimal_t *self, const nck_pieces_t *pieces, uint32_t 
     cap_and_b[0] = (nck_num)cap_of(self, first, &around, &self->held_by[k]);
     if (k + 1 == work->n && !work->ends) {
         // It is firm: a lowered one would leave no start.
-        const double least = nck_optimal_slows(self) ? pace_guess(self, k, 0.0) : 0.0;
+        const double least = nck_optimal_slows(self) ? pace_guess(self, k, 0.0, first) : 0.0;
         cap_and_b[0] = nck_num_max(cap_and_b[0], (nck_num)least);
         cap_and_b[0] = cap_at_end(self, seg, cap_and_b[0]);
     }
-    cap_and_b[1] = (nck_num)pace_guess(self, k, (double)cap_and_b[0]);
+    cap_and_b[1] = (nck_num)pace_guess(self, k, (double)cap_and_b[0], first);
     work->b[k] = (double)cap_and_b[1];
     nck_motion_node(&self->motion, (int)k, first, second, cap_and_b);
 }
