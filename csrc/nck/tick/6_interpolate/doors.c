@@ -32,13 +32,14 @@ int nck_interpolate_is_at_rest(const nck_interpolate_t *self) {
 }
 
 // Of the motion in work, or of the next one where the path rests: NULL, none is known.
-static const nck_seg_t *seg_in_work(const nck_interpolate_t *self) {
+static const nck_seg_t *seg_in_work(nck_interpolate_t *self) {
     if (self->has_cell && self->cell.length > 0.0) return nck_link_seg(self->link, self->cell.seg);
     const uint32_t word = nck_link_word(self->link);
     const nck_cell_t *const next = nck_link_ahead(self->link, word, 0);
     if (!next) return NULL;
     const uint32_t seg = next->seg;
-    return nck_link_holds(self->link, word) ? nck_link_seg(self->link, seg) : NULL;
+    if (!nck_link_holds(self->link, word)) return NULL;
+    return nck_link_seg(self->link, seg);
 }
 
 int nck_interpolate_is_rapid(nck_interpolate_t *self) {
@@ -115,7 +116,7 @@ static void see_ahead(const nck_interpolate_t *self, nck_watched_t *seen) {
 }
 
 // Along a clocked path no plan brings a rest that is asked for.
-static int is_clocked(const nck_interpolate_t *self) {
+static int is_clocked(nck_interpolate_t *self) {
     const nck_seg_t *const seg = seg_in_work(self);
     return seg && nck_look_is_clocked(seg);
 }

@@ -13,6 +13,7 @@
 
 #include "nck/base/fence.h"                 // nck_fence_store
 #include "nck/base/real.h"                  // nck_num
+#include "nck/tick/6_interpolate/allow.h"   // nck_allow_…
 #include "nck/tick/6_interpolate/stretch.h" // nck_stretch_…
 
 // Of an axis' acceleration and jerk, what is taken where the plan takes less: a sample of jerk
@@ -26,14 +27,9 @@
 // … and what is kept for easing off wherever nothing else is known to lead on: the edge of what can
 // be done is met again and again, and is found by places that differ.
 #define OFF_LAST NCK_NUM_OF(0.97)
-// What it takes more than a plan that takes all: a slower rate leaves more, so it grows from there.
-#define LEAVE_SHARE NCK_NUM_OF(0.01)
-// Of a period, what is looked at apart. What is shorter weighs 0.055 in a sample of jerk at most.
-#define PART_LEAST NCK_NUM_OF(0.125)
-// What one of k″ is to an axis, of its limit [s²]: below it no change of k moves it.
-#define ALONG_LEAST NCK_NUM_OF(1e-6)
-// The most of k″T²: what does not move may be slowed down in 7 periods.
-#define CHANGE_MOST NCK_NUM_OF(0.04)
+// Of all that axes allow without the plan, what takes k′ away until k is 1, from where on it is no
+// longer hurried: a plan may come that brakes sooner, and leaves none of an axis' jerk until then.
+#define LAST_SHARE NCK_NUM_OF(0.5)
 // Of what k″ takes in a period, so slow that the clock may rest …
 #define REST_SHARE NCK_NUM_OF(0.3)
 // … and of all that axes have in a period, so near 1 that it may run: the plan may take all of it.
@@ -55,18 +51,12 @@ enum {
     TIME_STEPS = 2   // to a time: each halves the digits that lack
 };
 
-// A pace.
-typedef struct ease_pace {
-    nck_num k;   // dφ/dt
-    nck_num dk;  // dk/dt [1/s]
-    nck_num way; // -1: it slows down, 1: it sets off
-} ease_pace_t;
-
 // What all axes allow of k″ [1/s²].
 typedef struct ease_range {
-    nck_num low, high;
-    nck_num soft; // of a period that slows down: as it eases off where each part of it may
-    nck_num last; // low of who sets off, where no other way is known: by what is kept for it
+    nck_allow_t all;
+    nck_num soft;   // of a period that slows down: as it eases off where each part of it may
+    nck_num last;   // low of who sets off, where no other way is known: by what is kept for it
+    nck_num gentle; // what eases off, by what samples show, too
 } ease_range_t;
 
 // How k″ may be chosen in a period [1/s²].
@@ -74,8 +64,9 @@ typedef struct ease_reach {
     nck_num least; // what eases off
     nck_num room;  // from there to the hardest
     nck_num soft;  // what is not passed, if that can go on
-    nck_num last;  // what eases off where nothing else can
-    int lasts;     // 1: it sets off, and soon nothing can
+    nck_num last;   // what eases off where nothing else can
+    nck_num gentle; // … as softly as samples want it
+    int lasts;      // 1: it sets off, and is to run soon
 } ease_reach_t;
 
 // What is known before of a period's k″.
@@ -90,12 +81,12 @@ typedef enum ease_verdict { EASE_OPEN = 0, EASE_GOOD, EASE_BAD } ease_verdict_t;
 typedef struct ease_trial {
     nck_num change;    // k″ in the period [1/s²]
     nck_num share;     // of the limits, that it counts on behind it
-    ease_pace_t pace; // as far as it has been tried
+    nck_allow_pace_t pace; // as far as it has been tried
     uint32_t verdict; // ease_verdict_t
 } ease_trial_t;
 
 // How long a pace takes for so much of the plan's time; 0: it stands before.
-static nck_num time_for(const ease_pace_t *pace, nck_num change, nck_num far) {
+static nck_num time_for(const nck_allow_pace_t *pace, nck_num change, nck_num far) {
     nck_num time = far / nck_num_max(pace->k, far);
     for (int n = 0; n < TIME_STEPS; n++) {
         const nck_num dk = pace->dk + change * time / 3;
@@ -106,70 +97,13 @@ static nck_num time_for(const ease_pace_t *pace, nck_num change, nck_num far) {
     return time;
 }
 
-// |base + per·k″| ≤ most
-static void bound(ease_range_t *range, nck_num base, nck_num per, nck_num most) {
-    const nck_num size = nck_num_max(NCK_NUM_ABS(per), ALONG_LEAST * most);
-    const nck_num up = per < 0 ? -base : base;
-    range->low = nck_num_max(range->low, (-most - up) / size);
-    range->high = nck_num_min(range->high, (most - up) / size);
-}
-
-// What is allowed of jerk on a stretch, times since the pace [s]. Nobody takes less than the plan
-// at the same rate, so that it can be followed, and a little more, so that it can be left.
-static void bound_jerk(ease_range_t *range, const nck_stretch_ways_t *on, const ease_pace_t *pace,
-                       const nck_num *times, nck_num share) {
-    const nck_num j_max = share * on->j_max;
-    const nck_num third = nck_num_max(NCK_NUM_ABS(on->third[0]), NCK_NUM_ABS(on->third[1]));
-    const nck_num plan = third * pace->k * pace->k * pace->k;
-    const nck_num most = nck_num_max(j_max, plan + LEAVE_SHARE * j_max);
-    for (int n = 0; n < 2; n++) {
-        const nck_num k = nck_num_max(0, pace->k + pace->dk * times[n]);
-        bound(range, (on->third[n] * k * k + 3 * on->second[n] * pace->dk) * k,
-              on->first[n] + 3 * on->second[n] * k * times[n], most);
-    }
-}
-
-// … of acceleration, at the stretch's end and in its mean.
-static void bound_accel(ease_range_t *range, const nck_stretch_ways_t *on, nck_num far,
-                        const ease_pace_t *pace, nck_num time, nck_num share) {
-    const nck_num a_max = share * on->a_max;
-    const nck_num k = nck_num_max(0, pace->k + pace->dk * time);
-    const nck_num bend = on->second[1] * k * k;
-    bound(range, bend + on->first[1] * pace->dk,
-          (on->first[1] + on->second[1] * k * time) * time, nck_num_max(a_max, NCK_NUM_ABS(bend)));
-    if (!(time > 0)) return; // the clock stands before
-    // What a sample shows is the mean, whatever the plan does within it.
-    const nck_num mean = far > 0 ? on->rise / far : 0;
-    bound(range, (on->rise * pace->k + on->first[1] * pace->dk * time) / time,
-          NCK_NUM_OF(0.5) * on->first[1] * time,
-          nck_num_max(a_max, NCK_NUM_ABS(mean) * pace->k * pace->k));
-}
-
-// Before any axis is asked.
-static void bound_nothing(ease_range_t *range, nck_num period) {
-    range->high = CHANGE_MOST / (period * period);
-    range->low = -range->high;
-    range->soft = range->high;
-}
-
-// What is allowed on a stretch that takes so long [s].
-static void bound_all(ease_range_t *range, const nck_stretch_walk_t *walk, const nck_stretch_t *on,
-                      const ease_pace_t *pace, nck_num time, nck_num share) {
-    const nck_num times[2] = {0, time};
-    bound_nothing(range, walk->period);
-    for (int n = 0; n < on->count; n++) {
-        bound_jerk(range, &on->of[n], pace, times, share);
-        bound_accel(range, &on->of[n], on->far, pace, time, share);
-    }
-}
-
 // 1 while k changes the way that it is to, between the clock's rest and its run.
-static int is_on_way(const ease_pace_t *pace) {
+static int is_on_way(const nck_allow_pace_t *pace) {
     return pace->k > 0 && pace->k <= 1 && pace->way * pace->dk > 0;
 }
 
 // 1 if k′ is gone within so much of the plan's time, half a period before the clock stands or runs.
-static int eases_within(const ease_pace_t *pace, nck_num change, nck_num far, nck_num period) {
+static int eases_within(const nck_allow_pace_t *pace, nck_num change, nck_num far, nck_num period) {
     if (!(pace->way * change < 0)) return 0;
     const nck_num time = -pace->dk / change;
     const nck_num k = pace->k + NCK_NUM_OF(0.5) * pace->dk * (time + period);
@@ -179,10 +113,10 @@ static int eases_within(const ease_pace_t *pace, nck_num change, nck_num far, nc
 // Try to ease off along a stretch.
 static void try_stretch(ease_trial_t *trial, const nck_stretch_walk_t *walk,
                         const nck_stretch_t *on) {
-    ease_pace_t *const pace = &trial->pace;
+    nck_allow_pace_t *const pace = &trial->pace;
     const nck_num free = time_for(pace, 0, on->far);
-    ease_range_t range;
-    bound_all(&range, walk, on, pace, free, trial->share);
+    nck_allow_t range;
+    nck_allow_all(&range, walk, on, pace, free, trial->share);
     trial->verdict = EASE_BAD;
     if (range.low > range.high) return;
     const nck_num easing = pace->way < 0 ? range.high : range.low;
@@ -235,14 +169,19 @@ static const ease_trial_t *try_all(ease_trial_t *trials, int count, nck_stretch_
     return first < left ? &trials[first] : NULL;
 }
 
+// 1 where k′ is to be taken away upwards: it slows down, or is about to.
+static int is_slowing(const nck_allow_pace_t *pace) {
+    return pace->dk < 0 || (pace->way < 0 && !(pace->dk > 0));
+}
+
 // The hardest k″ in a period that sets off: easing off behind it, k comes to 1 by two thirds of the
 // way, so that it never passes it.
-static nck_num change_to_run(const ease_pace_t *pace, nck_num period) {
+static nck_num change_to_run(const nck_allow_pace_t *pace, nck_num period) {
     return (1 - pace->k - 2 * pace->dk * period) / (NCK_NUM_OF(1.5) * period * period);
 }
 
 // What k″ must be for k′ to be gone when k is 1.
-static nck_num change_by_run(const ease_pace_t *pace, nck_num period) {
+static nck_num change_by_run(const nck_allow_pace_t *pace, nck_num period) {
     const nck_num left = nck_num_max(1 - pace->k, NCK_NUM_OF(0.5) * pace->dk * period);
     return -NCK_NUM_OF(0.5) * pace->dk * pace->dk / left;
 }
@@ -251,17 +190,17 @@ static nck_num change_by_run(const ease_pace_t *pace, nck_num period) {
 // that sets off: a plan has come that brakes, so that its axes allow less than was counted on. Once
 // it takes all that axes allow without the plan (most), k′ is led to be gone when k is 1: the plan
 // is never overtaken.
-static int is_last(const ease_pace_t *pace, nck_num most, nck_num period) {
+static int is_last(const nck_allow_pace_t *pace, nck_num most, nck_num period) {
     return pace->way > 0 && pace->dk > 0 && -change_by_run(pace, period) > most;
 }
 
-static nck_num change_at_last(const ease_pace_t *pace, nck_num change, nck_num most,
+static nck_num change_at_last(const nck_allow_pace_t *pace, nck_num change, nck_num most,
                               nck_num period) {
     if (!is_last(pace, most, period)) return change;
     return nck_num_min(change, change_by_run(pace, period));
 }
 
-static ease_trial_t trial_of(const ease_pace_t *pace, nck_num change, nck_num period) {
+static ease_trial_t trial_of(const nck_allow_pace_t *pace, nck_num change, nck_num period) {
     ease_trial_t trial;
     trial.change = change;
     trial.share = pace->way < 0 ? SHARE_AHEAD : OFF_AHEAD;
@@ -274,38 +213,54 @@ static ease_trial_t trial_of(const ease_pace_t *pace, nck_num change, nck_num pe
     return trial;
 }
 
+// Who sets off may count on more to ease off.
+static void set_last(ease_trial_t *trial, const nck_allow_pace_t *pace, nck_num change,
+                     nck_num period) {
+    *trial = trial_of(pace, change, period);
+    trial->share = OFF_LAST;
+}
+
 // What is tried in a period, the hardest first: the share of the range that may have lasted before,
 // of a brake also half of it, and both as softly as every part of the period wants it; of who is
-// released that alone. Who sets off may count on more to ease off, where soon nothing can. Returns
-// how many.
-static int set_trials(ease_trial_t *trials, const ease_pace_t *pace, const ease_reach_t *reach,
+// released that alone, or as softly as samples want it. So does who sets off; where it is to run
+// soon instead of speeding up, and by what is kept for it. Returns how many.
+static int set_trials(ease_trial_t *trials, const nck_allow_pace_t *pace, const ease_reach_t *reach,
                       nck_num share, nck_num period) {
     const nck_num hard = reach->room * share;
     const nck_num softer = NCK_NUM_OF(0.5) * hard;
     trials[0] = trial_of(pace, nck_num_min(reach->soft, reach->least + hard), period);
     trials[1] = trial_of(pace, nck_num_min(reach->soft, reach->least + softer), period);
-    if (pace->way < 0) return share > 0 ? TRIALS : reach->soft < reach->least;
-    if (!reach->lasts) return 1;
-    trials[1] = trial_of(pace, reach->last, period);
-    trials[1].share = OFF_LAST;
+    if (pace->way < 0 && share > 0) return TRIALS;
+    if (pace->way < 0) {
+        trials[1] = trial_of(pace, reach->gentle, period);
+        return reach->soft < reach->least ? TRIALS : 0;
+    }
+    const int is_gentle = reach->gentle > reach->last;
+    if (!reach->lasts && !is_gentle) return 1;
+    set_last(&trials[reach->lasts ? 0 : 1], pace, reach->gentle, period);
+    if (reach->lasts && !is_gentle) return 1;
+    if (reach->lasts) set_last(&trials[1], pace, reach->last, period);
     return TRIALS;
 }
 
 // The hardest k″ in a period of what is tried, behind which k′ can be eased off again; else what
 // eases off. Whether that can be done is asked where something else may be.
-static nck_num choose(const ease_pace_t *pace, const ease_range_t *range, ease_wish_t *wish,
+static nck_num choose(const nck_allow_pace_t *pace, const ease_range_t *range, ease_wish_t *wish,
                       nck_stretch_walk_t *walk, nck_stretch_t *on) {
     const nck_num period = walk->period;
     const int brakes = pace->way < 0;
     const nck_num gone = -pace->dk / period; // … k′ is then
-    const nck_num most = nck_num_min(range->high, change_to_run(pace, period));
+    const nck_num most = nck_num_min(range->all.high, change_to_run(pace, period));
     ease_reach_t reach;
-    reach.least = gone < 0 ? nck_num_max(gone, range->low) : nck_num_min(gone, range->high);
-    reach.room = brakes ? nck_num_min(0, range->low - reach.least)
+    reach.least =
+        gone < 0 ? nck_num_max(gone, range->all.low) : nck_num_min(gone, range->all.high);
+    reach.room = brakes ? nck_num_min(0, range->all.low - reach.least)
                         : nck_num_max(0, most - reach.least);
     reach.soft = brakes ? range->soft : reach.least + reach.room;
-    reach.lasts = is_last(pace, wish->free, period);
+    reach.lasts = is_last(pace, LAST_SHARE * wish->free, period);
     reach.last = brakes ? reach.least : nck_num_max(gone, nck_num_min(reach.least, range->last));
+    reach.gentle = brakes ? nck_num_min(reach.least, range->gentle)
+                          : nck_num_max(reach.last, nck_num_min(range->gentle, 0));
     const nck_num half = NCK_NUM_OF(0.5);
     const nck_num gains = half * nck_num_max(0, reach.room) * period;
     const nck_num k = pace->k + (pace->dk + gains) * period;
@@ -319,79 +274,67 @@ static nck_num choose(const ease_pace_t *pace, const ease_range_t *range, ease_w
     return found ? found->change : change_at_last(pace, reach.last, wish->free, period);
 }
 
-// What k″ may be where the plan itself asks for nothing.
-static nck_num free_change(const nck_stretch_walk_t *walk, const nck_stretch_point_t *at) {
-    const nck_num period = walk->period;
-    nck_num most = CHANGE_MOST / (period * period);
-    nck_num square = 0;
-    for (int x = 0; x < walk->terms->axes; x++) {
-        const nck_axis_t *const axis = &walk->terms->machine->axis[x];
-        const nck_num size = NCK_NUM_ABS(at->first[x]);
-        const nck_num takes = nck_num_min((nck_num)axis->j_max, (nck_num)axis->a_max / period);
-        if (axis->present && size * most > takes) most = takes / size;
-        square += size * size;
-    }
-    const nck_machine_t *const machine = walk->terms->machine;
-    const nck_num takes =
-        nck_num_min((nck_num)machine->path.j_max, (nck_num)machine->path.a_max / period);
-    return nck_num_min(most, takes / nck_num_max(NCK_NUM_SQRT(square), ALONG_LEAST));
-}
-
-// What is allowed of jerk in the period that begins where the walk does, far along the plan. The
-// plan's jerk jumps between its cells, and a sample weighs the begin of a period and its end
-// unlike: so it is bounded part by part. The walk stands behind it then.
-static void bound_parts(ease_range_t *range, nck_stretch_walk_t *walk, const ease_pace_t *pace,
-                        nck_num far, nck_num share, nck_stretch_t *on) {
-    const nck_num period = walk->period;
-    const nck_num scale = far > 0 ? period / far : 0;
-    const nck_num least = PART_LEAST * far;
-    nck_num gone = 0;
-    int last = 0;
-    bound_nothing(range, period);
-    while (!last && !walk->ends) {
-        const nck_num part = nck_num_max((nck_num)walk->cell->duration - walk->t, least);
-        last = gone + part + least >= far;
-        nck_stretch_take(walk, last ? far - gone : part, on);
-        const nck_num times[2] = {gone * scale, (gone + on->far) * scale};
-        gone += on->far;
-        for (int n = 0; n < on->count; n++) bound_jerk(range, &on->of[n], pace, times, share);
-    }
-}
-
-// What is allowed in the period: in its mean, and, where the plan's jerk jumps in it, in its parts,
-// as far as the mean allows that, and what is counted on of easing off.
-static void bound_period(ease_range_t *range, nck_stretch_walk_t *walk, const ease_pace_t *pace,
-                         nck_num far, nck_stretch_t *on) {
-    const int slows = pace->dk < 0 || (pace->way < 0 && !(pace->dk > 0));
-    const nck_num share = pace->way < 0 ? SHARE_TAKEN : OFF_TAKEN;
-    const int jumps = walk->t + far > (nck_num)walk->cell->duration;
-    nck_stretch_walk_t parts = *walk;
-    nck_stretch_t part;
-    ease_range_t each, ahead;
-    part.to = on->to;
-    nck_stretch_take(walk, far, on);
-    bound_all(range, walk, on, pace, walk->period, share);
-    range->soft = range->high;
-    range->last = range->low;
-    if (range->low > range->high) return;
-    if (!jumps && pace->way < 0) return;
-    if (!jumps) {
-        bound_all(&ahead, walk, on, pace, walk->period, OFF_LAST);
-        range->last = ahead.low;
+// What is allowed in a period in which the plan's jerk jumps: in its parts, as far as its mean
+// allows that, and what is counted on of easing off (ahead). What samples show only softens k″: an
+// axis that turns round hardly hears of it, and would ask for any. Easing off is softened so only
+// where that can go on, or, of a brake whose k still grows, where twice what it needs is left.
+static void bound_jumps(ease_range_t *range, const nck_allow_pace_t *pace, nck_num period,
+                        const nck_allow_parts_t *parts, const nck_allow_t *ahead) {
+    const nck_allow_t mean = range->all;
+    nck_allow_t *const all = &range->all;
+    const int slows = is_slowing(pace);
+    const nck_num low = slows ? mean.high : nck_num_max(mean.low, ahead->low);
+    const nck_num high = slows ? nck_num_min(mean.high, ahead->high) : mean.low;
+    const nck_num ends_low = nck_num_min(parts->ends.low, 0);
+    const nck_num ends_high = nck_num_max(parts->ends.high, 0);
+    all->low = nck_num_max(mean.low, nck_num_min(parts->each.low, low));
+    all->high = nck_num_min(mean.high, nck_num_max(parts->each.high, high));
+    range->soft = nck_num_max(all->low, nck_num_min(all->high, parts->each.high));
+    if (pace->way > 0 && !slows) {
+        all->high = nck_num_min(all->high, nck_num_max(ends_high, all->low));
+        range->gentle = nck_num_max(range->last, nck_num_min(ends_low, mean.high));
         return;
     }
-    bound_parts(&each, &parts, pace, far, share, &part);
-    bound_all(&ahead, walk, on, pace, walk->period, slows ? SHARE_AHEAD : OFF_AHEAD);
-    const nck_num low = slows ? range->high : nck_num_max(range->low, ahead.low);
-    const nck_num high = slows ? nck_num_min(range->high, ahead.high) : range->low;
-    range->low = nck_num_max(range->low, nck_num_min(each.low, low));
-    range->high = nck_num_min(range->high, nck_num_max(each.high, high));
-    range->soft = nck_num_max(range->low, nck_num_min(range->high, each.high));
+    const nck_num needs = slows ? 0 : 2 * change_by_run(pace, period);
+    const nck_num most = nck_num_min(all->high, needs);
+    all->low = nck_num_max(all->low, nck_num_min(ends_low, most));
+    if (!slows) return;
+    range->gentle = nck_num_max(all->low, ends_high);
+    range->soft = nck_num_max(all->low, nck_num_min(range->soft, ends_high));
+}
+
+// What is allowed in the period: in its mean, and, where the plan's jerk jumps in it, beyond that.
+static void bound_period(ease_range_t *range, nck_stretch_walk_t *walk,
+                         const nck_allow_pace_t *pace, nck_num far, nck_stretch_t *on) {
+    const nck_num period = walk->period;
+    const nck_num share = pace->way < 0 ? SHARE_TAKEN : OFF_TAKEN;
+    const nck_num counts_on = is_slowing(pace) ? SHARE_AHEAD : OFF_AHEAD;
+    const int jumps = walk->t + far > (nck_num)walk->cell->duration;
+    nck_stretch_walk_t again = *walk;
+    nck_stretch_t part;
+    nck_allow_t ahead;
+    nck_allow_parts_t parts;
+    part.to = on->to;
+    nck_stretch_take(walk, far, on);
+    nck_allow_all(&range->all, walk, on, pace, period, share);
+    range->soft = range->all.high;
+    range->last = range->all.low;
+    range->gentle = pace->way < 0 ? range->soft : range->last;
+    if (range->all.low > range->all.high || (!jumps && pace->way < 0)) return;
+    nck_allow_all(&ahead, walk, on, pace, period, jumps ? counts_on : OFF_LAST);
+    if (!jumps) {
+        range->last = ahead.low;
+        range->gentle = ahead.low;
+        return;
+    }
+    nck_allow_parts(&parts, &again, pace, far, share, &part);
+    bound_jumps(range, pace, period, &parts, &ahead);
 }
 
 // k″ in the period that begins where the walk does. Where the plan comes to its rest in it, none:
 // that is its own. Never does k′ turn round.
-static nck_num change_for(const ease_pace_t *pace, nck_stretch_walk_t *walk, ease_wish_t *wish) {
+static nck_num change_for(const nck_allow_pace_t *pace, nck_stretch_walk_t *walk,
+                          ease_wish_t *wish) {
     const nck_num period = walk->period;
     const nck_num half = NCK_NUM_OF(0.5);
     const nck_num k = nck_num_max(half * pace->k, pace->k + half * pace->dk * period);
@@ -399,20 +342,20 @@ static nck_num change_for(const ease_pace_t *pace, nck_stretch_walk_t *walk, eas
     ease_range_t range;
     nck_stretch_look(walk, &on.to);
     bound_period(&range, walk, pace, k * period, &on);
-    wish->free = free_change(walk, &on.to);
-    wish->most = pace->way < 0 ? range.high : wish->free;
+    wish->free = nck_allow_free(walk, &on.to);
+    wish->most = pace->way < 0 ? range.all.high : wish->free;
     if (walk->ends) return 0;
-    if (range.low <= range.high) return choose(pace, &range, wish, walk, &on);
+    if (range.all.low <= range.all.high) return choose(pace, &range, wish, walk, &on);
     const nck_num gone = -pace->dk / period;
-    const nck_num middle = NCK_NUM_OF(0.5) * (range.low + range.high);
-    const nck_num change = pace->way < 0 ? nck_num_min(middle, nck_num_max(0, gone))
-                                          : nck_num_max(middle, nck_num_min(0, gone));
+    const nck_num between = nck_allow_between(&range.all);
+    const nck_num change = pace->way < 0 ? nck_num_min(between, nck_num_max(0, gone))
+                                         : nck_num_max(between, nck_num_min(0, gone));
     return change_at_last(pace, change, wish->free, period);
 }
 
 // The same, where prep may publish another plan at any time: then that counts. It does so once in
 // many periods.
-static nck_num change_now(const ease_pace_t *pace, const nck_stretch_walk_t *here,
+static nck_num change_now(const nck_allow_pace_t *pace, const nck_stretch_walk_t *here,
                           ease_wish_t *wish) {
     for (int round = 0; round < 2; round++) {
         nck_stretch_walk_t walk = *here;
@@ -458,7 +401,7 @@ double nck_ease_period(nck_clock_t *clock, const nck_terms_t *terms, nck_link_t 
     const double dk = clock->second.gain;
     const int released = clock->state == NCK_CLOCK_SETS_OFF && dk < 0.0;
     const int brakes = clock->state == NCK_CLOCK_BRAKES || released;
-    const ease_pace_t pace = {(nck_num)k, (nck_num)dk, brakes ? -1 : 1};
+    const nck_allow_pace_t pace = {(nck_num)k, (nck_num)dk, brakes ? -1 : 1};
     const nck_stretch_walk_t here = {.terms = terms, .link = link, .cell = cell, .t = (nck_num)t,
                                      .period = (nck_num)period};
     ease_wish_t wish = {released ? 0 : clock->share, 0, 0};

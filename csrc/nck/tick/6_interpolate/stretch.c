@@ -100,6 +100,7 @@ static void set_ways(nck_stretch_t *on, const nck_terms_t *terms) {
         nck_stretch_ways_t *const ways = &on->of[on->count];
         if (!machine->axis[x].present) continue;
         ways_of(on, x, ways);
+        ways->axis = x;
         ways->a_max = (nck_num)machine->axis[x].a_max;
         ways->j_max = (nck_num)machine->axis[x].j_max;
         on->count += moves(ways);
@@ -107,6 +108,7 @@ static void set_ways(nck_stretch_t *on, const nck_terms_t *terms) {
     if (!terms->limits_path) return;
     nck_stretch_ways_t *const ways = &on->of[on->count++];
     along_of(on, terms->axes, ways);
+    ways->axis = NCK_AXIS_MAX;
     ways->a_max = (nck_num)machine->path.a_max;
     ways->j_max = (nck_num)machine->path.j_max;
 }

@@ -39,6 +39,7 @@ typedef struct nck_stretch_ways {
     nck_num first[2], second[2], third[2];
     nck_num rise; // of the first derivative, from one end to the other
     nck_num a_max, j_max;
+    int axis;     // NCK_AXIS_MAX: the path
 } nck_stretch_ways_t;
 
 // A stretch of the plan.
