@@ -258,6 +258,10 @@ int feed_is_done(const planner_t *self) {
     return queue.segs == 0 && queue.outputs == 0 && nck_is_idle(&self->nck);
 }
 
+int feed_is_over(const planner_t *self) {
+    return !self->moves.back && self->moves.next == self->moves.head && feed_is_done(self);
+}
+
 // A step of preparation. Returns 1 if there is more to do.
 static int step(planner_t *self) {
     const nck_status_t status = nck_prep(&self->nck);

@@ -21,6 +21,9 @@ int feed_limits(planner_t *self, bounds_t *bounds);
 // 1 if the kernel has executed all that it was given, and was told that it is all. Cost: constant.
 int feed_is_done(const planner_t *self);
 
+// 1 if all that was handed over is executed. Cost: constant.
+int feed_is_over(const planner_t *self);
+
 // Preparation for what `budget` leaves beside the tick, one step at least. Cost: they.
 void feed_prepare(planner_t *self);
 

@@ -441,11 +441,6 @@ static void tell_rest(planner_t *self) {
     memset(self->told.dtg, 0, sizeof self->told.dtg);
 }
 
-// All that was handed over is executed.
-static int is_over(const planner_t *self) {
-    return !self->moves.back && self->moves.next == self->moves.head && feed_is_done(self);
-}
-
 // A cycle in which the spindle leads.
 static void follow(planner_t *self, const planner_wish_t *wish) {
     double place[MOVES_AXES];
@@ -458,7 +453,7 @@ static void follow(planner_t *self, const planner_wish_t *wish) {
     thread_end(self);
     keep_place(self);
     if (self->dropped && !feed_is_done(self)) stop(self, PLANNER_STOPS);
-    else if (self->dropped || is_over(self)) tell_rest(self);
+    else if (self->dropped || feed_is_over(self)) tell_rest(self);
 }
 
 static void end_stop(planner_t *self) {
@@ -498,6 +493,6 @@ void planner_cycle(planner_t *self, const planner_wish_t *wish) {
     }
     if (self->state != PLANNER_READY) end_stop(self);
     else if (thread_begins(self)) thread_begin(self);
-    else if (is_over(self)) tell_rest(self);
+    else if (feed_is_over(self)) tell_rest(self);
     else if (self->failed && nck_is_idle(&self->nck)) stop(self, PLANNER_STOPS);
 }

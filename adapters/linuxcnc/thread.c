@@ -114,6 +114,14 @@ static double measure(planner_t *self, double turns) {
     return sum / (PLANNER_STEPS * self->cycle_s);
 }
 
+// Lines of the pass that have come since, and where they end.
+static void take_lines(planner_t *self) {
+    if (!self->dropped && !self->follow.taps && !self->closed) take(self);
+    if (self->closed) return;
+    self->led = self->moves.next;
+    if (!self->dropped) end_lines(self);
+}
+
 int thread_cycle(planner_t *self, const planner_wish_t *wish, double *place_out) {
     follow_t *const follow = &self->follow;
     const uint32_t before = follow->phase;
@@ -121,9 +129,7 @@ int thread_cycle(planner_t *self, const planner_wish_t *wish, double *place_out)
     const double rps = measure(self, wish->turns);
     memcpy(place_out, self->told.place, sizeof self->told.place);
     if (before == FOLLOW_NOT) return 0;
-    if (!self->dropped && !follow->taps && !self->closed) take(self);
-    if (!self->closed) self->led = self->moves.next;
-    if (!self->dropped && !self->closed) end_lines(self);
+    take_lines(self);
     if (before == FOLLOW_INDEX) {
         if (self->hooks.index(0)) follow_index(follow, wish->rps > 0.0 ? wish->rps : rps);
         return 1;
