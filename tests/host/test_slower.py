@@ -24,6 +24,13 @@ def test_a_step_that_is_slower_is_a_row_and_all_are_counted():
     assert total["program"] == "6 steps, 2 slower"
 
 
+def test_every_program_of_the_bench_has_a_time():
+    cases = monotony.cases()
+    assert all(case.time_of(monotony.BASE) > 0 for case in cases)
+    if len(cases) == len(monotony.OWN):
+        pytest.skip("the corpus is not there")
+
+
 def test_the_values_of_a_step_reach_the_plan():
     case = monotony.Tried("line", b"G21 G90\nG1 X10 F6000\nM2\n", programs.machine())
     base = case.time_of(monotony.BASE)
