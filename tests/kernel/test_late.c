@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Along a clocked path prep is late, starved and hurried: every axis keeps its limits, and the tool
-// arrives. Where that is asked for an operator holds it besides, and turns its override.
+// arrives; so it does where an operator holds it besides, and turns its override.
 //
-//     test_late [COUNT [FIRST [operated]]]   so many random sessions, from this number on; tells
-//                                            the worst. Operated 20 of 1 000 break the limits
+//     test_late [COUNT [FIRST]]   so many random sessions, from this number on; tells the worst
 
 #include "front_check.h"
 
@@ -14,6 +13,8 @@ enum { LINES = 600, LINE_BYTES = 64, AXES = 2, PLACES = 4 };
 // another plan comes. Of 2 000 sessions the worst takes 1.012.
 #define MOST 1.005
 #define JERK_MOST 1.02
+// With an operator besides: of 1 400 sessions 17 pass that one.
+#define OPERATED_MOST 1.1
 
 static front_t front;
 static uint64_t seed;
@@ -175,22 +176,33 @@ static void check_session(check_t *check, uint32_t number, int acts, double *wor
     }
     const double *const most = session.most;
     for (int n = 0; n < 3; n++) worst[n] = fmax(worst[n], most[n]);
-    const int keeps = most[0] <= MOST && most[1] <= MOST && most[2] <= JERK_MOST;
+    const double jerk_most = acts ? OPERATED_MOST : JERK_MOST;
+    const int keeps = most[0] <= MOST && most[1] <= MOST && most[2] <= jerk_most;
     if (CHECK(check, keeps && done)) return;
     printf("session %u: %.4f of v, %.4f of a, %.4f of j, done %d\n", number, most[0], most[1],
            most[2], done);
 }
 
-static void check_sessions(check_t *check, int acts)
+static void check_sessions(check_t *check, int acts, const uint32_t *range)
 {
     double worst[3] = {0.0, 0.0, 0.0};
-    for (uint32_t k = 0; k < count; k++) check_session(check, first + k, acts, worst);
+    for (uint32_t k = 0; k < range[0]; k++) check_session(check, range[1] + k, acts, worst);
     printf("%.4f of v, %.4f of a, %.4f of j at most\n", worst[0], worst[1], worst[2]);
 }
 
-static void limits_hold_however_late_prep_is(check_t *check) { check_sessions(check, 0); }
+static void limits_hold_however_late_prep_is(check_t *check)
+{
+    const uint32_t drawn[2] = {count, first};
+    check_sessions(check, 0, drawn);
+}
 
-static void limits_hold_whoever_operates_besides(check_t *check) { check_sessions(check, 1); }
+static void limits_hold_whoever_operates_besides(check_t *check)
+{
+    static const uint32_t known[][2] = {{1, 416}, {1, 793}}; // took 277 and 3.1 times a jerk
+    const uint32_t drawn[2] = {count, first};
+    check_sessions(check, 1, drawn);
+    for (int n = 0; n < 2 && NCK_HAS_OPTIMAL; n++) check_sessions(check, 1, known[n]);
+}
 
 int main(int argc, char **argv)
 {
@@ -198,6 +210,6 @@ int main(int argc, char **argv)
     check_seeds(argc, argv, &count, &first);
     if (!NCK_HAS_OPTIMAL) count = 0; // the build has no clocked path
     CHECK_RUN(&check, limits_hold_however_late_prep_is);
-    if (argc > 3) CHECK_RUN(&check, limits_hold_whoever_operates_besides);
+    CHECK_RUN(&check, limits_hold_whoever_operates_besides);
     return check_end(&check);
 }
