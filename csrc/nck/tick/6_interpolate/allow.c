@@ -4,9 +4,9 @@
 
 #include <string.h> // memset
 
-// What it takes more than a plan that takes nearly all, up to the limit: a slower rate leaves more,
-// so it grows from there.
-#define LEAVE_SHARE NCK_NUM_OF(0.01)
+// What it takes more than a plan that takes nearly all: a slower rate leaves more, so it grows from
+// there. With 0.01 a run that starves passed a jerk by 0.2 %.
+#define LEAVE_SHARE NCK_NUM_OF(0.005)
 // Of a period, what is looked at apart. What is shorter weighs 0.055 in a sample of jerk at most.
 #define PART_LEAST NCK_NUM_OF(0.125)
 // What the ends of a period may take of an axis' jerk, each a sixth of a sample whose middle takes
@@ -53,8 +53,7 @@ static void bound_jerk(nck_allow_t *range, const nck_stretch_ways_t *on,
     const nck_num j_max = share * on->j_max;
     const nck_num third = nck_num_max(NCK_NUM_ABS(on->third[0]), NCK_NUM_ABS(on->third[1]));
     const nck_num plan = third * pace->k * pace->k * pace->k;
-    const nck_num leave = nck_num_min(plan + LEAVE_SHARE * on->j_max, on->j_max);
-    const nck_num most = nck_num_max(j_max, nck_num_max(plan, leave));
+    const nck_num most = nck_num_max(j_max, plan + LEAVE_SHARE * j_max);
     for (int n = 0; n < 2; n++) {
         const nck_num k = nck_num_max(0, pace->k + pace->dk * times[n]);
         bound(range, (on->third[n] * k * k + 3 * on->second[n] * pace->dk) * k,
