@@ -24,17 +24,17 @@ static void begin(const curve_run_t *run)
     wish.terms.axes = run->axes;
     wish.terms.tau = run->tau;
     for (int x = 0; x < run->axes; x++) {
-        wish.terms.v[x] = run->v;
-        wish.terms.a[x] = run->a;
-        wish.terms.j[x] = run->j;
-        wish.terms.smooth[x] = smooth;
+        wish.terms.v[x] = (nck_num)run->v;
+        wish.terms.a[x] = (nck_num)run->a;
+        wish.terms.j[x] = (nck_num)run->j;
+        wish.terms.smooth[x] = (nck_num)smooth;
     }
-    wish.terms.v_most = run->v;
-    wish.terms.a_least = run->a;
-    wish.terms.a_reached = fmin(run->a, sqrt(2.0 * run->v * run->j));
-    wish.terms.j_least = run->j;
-    wish.terms.smooth_least = smooth;
-    wish.terms.longest = run->longest;
+    wish.terms.v_most = (nck_num)run->v;
+    wish.terms.a_least = (nck_num)run->a;
+    wish.terms.a_reached = (nck_num)fmin(run->a, sqrt(2.0 * run->v * run->j));
+    wish.terms.j_least = (nck_num)run->j;
+    wish.terms.smooth_least = (nck_num)smooth;
+    wish.terms.longest = (nck_num)run->longest;
     wish.rounds = run->rounds;
     wish.gap = 0.1;
     wish.most = 10;

@@ -189,7 +189,7 @@ static void a_wide_tolerance_has_a_curve_too(check_t *check)
         begin();
         state = 77u + k;
         const double tolerance = 0.2 * (double)(1u << k % 4u) * (1.5 + any());
-        const double jerk = 2000.0 * (double)(1u << k % 5u);
+        const nck_num jerk = NCK_NUM_OF(2000.0) * (nck_num)(1u << k % 5u);
         for (int x = 0; x < NCK_AXIS_MAX; x++) wish.terms.j[x] = wish.terms.smooth[x] = jerk;
         wish.terms.j_least = wish.terms.smooth_least = jerk;
         for (int n = 0; n < 8; n++) add(12.0 * any(), 12.0 * any());

@@ -37,23 +37,24 @@ static void set_terms(nck_timing_terms_t *out, const nck_terms_t *terms) {
         out->along[0] = machine->path.a_max;
         out->along[1] = machine->path.j_max;
     }
-    out->a_least = machine->path.a_max;
-    out->j_least = machine->path.j_max;
-    out->smooth_least = nck_min(out->j_least, out->a_least / out->tau);
-    out->longest = terms->knots_most;
+    const nck_num per = (nck_num)(1.0 / out->tau);
+    out->a_least = (nck_num)machine->path.a_max;
+    out->j_least = (nck_num)machine->path.j_max;
+    out->smooth_least = nck_num_min(out->j_least, out->a_least * per);
+    out->longest = (nck_num)terms->knots_most;
     for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
-        out->v[x] = axis->present ? axis->v_max : 1.0;
-        out->a[x] = axis->present ? axis->a_max : 1.0;
-        out->j[x] = axis->present ? axis->j_max : 1.0;
-        out->smooth[x] = nck_min(out->j[x], out->a[x] / out->tau);
+        out->v[x] = axis->present ? (nck_num)axis->v_max : 1;
+        out->a[x] = axis->present ? (nck_num)axis->a_max : 1;
+        out->j[x] = axis->present ? (nck_num)axis->j_max : 1;
+        out->smooth[x] = nck_num_min(out->j[x], out->a[x] * per);
         if (!axis->present) continue;
-        out->smooth_least = nck_min(out->smooth_least, out->smooth[x]);
-        out->v_most = nck_max(out->v_most, axis->v_max);
-        out->a_least = nck_min(out->a_least, axis->a_max);
-        const double by_jerk = nck_sqrt(2.0 * axis->v_max * axis->j_max);
-        out->a_reached = nck_max(out->a_reached, nck_min(axis->a_max, by_jerk));
-        out->j_least = nck_min(out->j_least, axis->j_max);
+        out->smooth_least = nck_num_min(out->smooth_least, out->smooth[x]);
+        out->v_most = nck_num_max(out->v_most, out->v[x]);
+        out->a_least = nck_num_min(out->a_least, out->a[x]);
+        const nck_num by_jerk = NCK_NUM_SQRT(2 * out->v[x] * out->j[x]);
+        out->a_reached = nck_num_max(out->a_reached, nck_num_min(out->a[x], by_jerk));
+        out->j_least = nck_num_min(out->j_least, out->j[x]);
     }
 }
 

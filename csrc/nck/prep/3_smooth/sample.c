@@ -106,7 +106,7 @@ static nck_num place_of(const bin_t *bin, double s) {
 // Of the tolerance what the curve may be off at samples: less by what may lie between them [mm].
 static nck_num room_of(const nck_stream_t *self, nck_num tolerance) {
     const nck_num quarter = (nck_num)(0.25 * self->wish.terms.tau);
-    const nck_num lies_between = (nck_num)self->wish.terms.a_reached * quarter * quarter / 8;
+    const nck_num lies_between = self->wish.terms.a_reached * quarter * quarter / 8;
     return nck_num_max(tolerance - ROUNDING - lies_between, tolerance / 2);
 }
 
@@ -131,7 +131,7 @@ static void add_point(nck_stream_t *self, const cubic_t *cubic, nck_num w, const
 }
 
 // Add the begin of an element as a sample: it is within the bin.
-static void add_vertex(nck_stream_t *self, const cubic_t *cubic, const bin_t *bin, uint32_t n) {
+static void add_vertex(nck_stream_t *self, cubic_t *cubic, const bin_t *bin, uint32_t n) {
     const double s = nck_track_at(&self->track, n)->s;
     nck_num point[NCK_AXIS_MAX];
     nck_track_offset(&self->track, &cubic->from, n, s, point);
@@ -145,7 +145,7 @@ typedef struct chord {
 } chord_t;
 
 // How far the begin of an element is off the bin's chord, as a vector; its square.
-static nck_num aside(const nck_stream_t *self, const cubic_t *cubic, const bin_t *bin,
+static nck_num aside(const nck_stream_t *self, cubic_t *cubic, const bin_t *bin,
                      const chord_t *chord, uint32_t n, nck_num *aside_out) {
     const double s = nck_track_at(&self->track, n)->s;
     const nck_num f = (nck_num)NCK_FAIR_BINS * (place_of(bin, s) - bin->w[0]);
@@ -158,7 +158,7 @@ static nck_num aside(const nck_stream_t *self, const cubic_t *cubic, const bin_t
     return sum;
 }
 
-static void set_chord(const nck_stream_t *self, const cubic_t *cubic, const bin_t *bin,
+static void set_chord(const nck_stream_t *self, cubic_t *cubic, const bin_t *bin,
                       chord_t *chord_out) {
     nck_track_offset(&self->track, &cubic->from, bin->first, bin->s[0], chord_out->begin);
     nck_track_offset(&self->track, &cubic->from, bin->last, bin->s[1], chord_out->way);
@@ -167,7 +167,7 @@ static void set_chord(const nck_stream_t *self, const cubic_t *cubic, const bin_
 
 // Of many vertices in a bin, over which the curve is as good as straight: the one that is furthest
 // aside, and the one that is furthest to its other side.
-static void add_extremes(nck_stream_t *self, const cubic_t *cubic, const bin_t *bin) {
+static void add_extremes(nck_stream_t *self, cubic_t *cubic, const bin_t *bin) {
     chord_t chord;
     nck_num here[NCK_AXIS_MAX];
     nck_num most[NCK_AXIS_MAX];
@@ -195,7 +195,7 @@ static void add_extremes(nck_stream_t *self, const cubic_t *cubic, const bin_t *
 }
 
 // Add the middle of what an arc has in the bin: it is furthest from the chord of its ends.
-static void add_arc(nck_stream_t *self, const cubic_t *cubic, const bin_t *bin, uint32_t n) {
+static void add_arc(nck_stream_t *self, cubic_t *cubic, const bin_t *bin, uint32_t n) {
     const nck_track_element_t *const element = nck_track_at(&self->track, n);
     nck_num point[NCK_AXIS_MAX];
     if (element->kind != NCK_SEG_ARC || nck_fair_room(&self->work.fair) <= 0) return;
@@ -206,7 +206,7 @@ static void add_arc(nck_stream_t *self, const cubic_t *cubic, const bin_t *bin, 
 }
 
 // The samples of a bin: its middle, vertices, and arcs among them.
-static void fill_bin(nck_stream_t *self, const cubic_t *cubic, const bin_t *bin, double middle) {
+static void fill_bin(nck_stream_t *self, cubic_t *cubic, const bin_t *bin, double middle) {
     nck_num point[NCK_AXIS_MAX];
     self->near = nck_track_find(&self->track, self->near, middle);
     nck_track_offset(&self->track, &cubic->from, self->near, middle, point);
@@ -226,7 +226,7 @@ static void fill_bin(nck_stream_t *self, const cubic_t *cubic, const bin_t *bin,
 
 void nck_sample_interval(nck_stream_t *self, int i) {
     const nck_timing_terms_t *const terms = &self->wish.terms;
-    double per = 6.0 / (terms->smooth_least * terms->tau * terms->tau * terms->tau);
+    double per = 6.0 / ((double)terms->smooth_least * terms->tau * terms->tau * terms->tau);
     cubic_t cubic;
     nck_num jerk[NCK_AXIS_MAX];
     set_interval(self, i, &cubic);
@@ -267,7 +267,7 @@ static void set_arc_bend(const nck_stream_t *self, uint32_t n, double s, nck_num
 }
 
 // Hold them against each other at s of the element n; rate: ds/dw there.
-static void set_stand(const nck_stream_t *self, const cubic_t *cubic, uint32_t n, double s,
+static void set_stand(const nck_stream_t *self, cubic_t *cubic, uint32_t n, double s,
                       nck_num rate, stand_t *stand) {
     nck_num point[NCK_AXIS_MAX];
     nck_num off[NCK_AXIS_MAX];
@@ -305,7 +305,7 @@ typedef struct reach {
 } reach_t;
 
 // The most |r − p| along it, s straight over w [mm].
-static nck_num most_along(const nck_stream_t *self, const cubic_t *cubic, const reach_t *on) {
+static nck_num most_along(const nck_stream_t *self, cubic_t *cubic, const reach_t *on) {
     const nck_num way = on->w[1] - on->w[0];
     const nck_num rate = way > 0 ? (nck_num)(on->s[1] - on->s[0]) / way : 0;
     stand_t from = {.w = on->w[0]};
@@ -326,7 +326,7 @@ static double nearest(const nck_stream_t *self, uint32_t n, double s, const nck_
 
 // The same in parts. Any s does at places within that never goes back: it is straight, or that
 // which is next to the curve (of a circle as small as P its tangent knows nothing).
-static nck_num most_along_parts(const nck_stream_t *self, const cubic_t *cubic, const reach_t *on,
+static nck_num most_along_parts(const nck_stream_t *self, cubic_t *cubic, const reach_t *on,
                                 int is_straight) {
     nck_num most = 0;
     nck_num point[NCK_AXIS_MAX];
@@ -348,7 +348,7 @@ static nck_num most_along_parts(const nck_stream_t *self, const cubic_t *cubic, 
 }
 
 // The most |r − p|/P in a bin.
-static nck_num bin_miss(const nck_stream_t *self, const cubic_t *cubic, const bin_t *bin) {
+static nck_num bin_miss(const nck_stream_t *self, cubic_t *cubic, const bin_t *bin) {
     const nck_num kept = ROUNDING + cubic->loss;
     nck_num most = 0;
     reach_t on = {.w = {bin->w[0], 0}};

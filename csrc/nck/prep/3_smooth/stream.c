@@ -26,7 +26,7 @@
 #define TRIES_REST 20 // … that begins at rest, where a clock slow enough always has one
 #define FRESH 0.6  // [1] b that the first plan begins with: slow enough nearly everywhere
 #define NEAR 0.85  // [1] the same where the clock comes from a plan
-#define FASTEST 1e6 // [1] b where a curve stands still: it is no limit there
+#define FASTEST ((nck_num)1e6) // [1] b where a curve stands still: it is no limit there
 #define AHEAD 16   // intervals behind what is given whose clock matters to it
 #define STEADY 0.02 // mean share by which a plan is off its clock, below which that is the answer;
                     // half of it wins 0.1 % and costs 8 % more
@@ -140,10 +140,10 @@ static void begin_fair(nck_stream_t *self) {
     task.ends = self->clock.ends;
     task.most = MOST;
     task.gap = (nck_num)self->wish.gap * (self->round == 0 ? FIRST_GAP : 1);
-    task.scale = (nck_num)(self->unit / (terms->smooth_least * tau * tau * tau));
+    task.scale = (nck_num)(self->unit / ((double)terms->smooth_least * tau * tau * tau));
     task.stay = nck_num_max(STAY, FIRM * NCK_NUM_EPSILON * task.scale * task.scale);
     for (int n = 0; n < self->moving; n++) {
-        task.share[n] = (nck_num)(terms->smooth_least / terms->smooth[self->axis[n]]);
+        task.share[n] = terms->smooth_least / terms->smooth[self->axis[n]];
     }
     nck_fair_begin(&self->work.fair, &task);
 }
@@ -319,8 +319,10 @@ static nck_status_t begin_motion(nck_stream_t *self) {
     nck_motion_wish_t wish;
     memset(&wish, 0, sizeof wish);
     wish.tau = terms->tau;
-    memcpy(wish.a, terms->a, sizeof wish.a);
-    memcpy(wish.j, terms->j, sizeof wish.j);
+    for (int x = 0; x < terms->axes; x++) {
+        wish.a[x] = (double)terms->a[x];
+        wish.j[x] = (double)terms->j[x];
+    }
     memcpy(wish.along, terms->along, sizeof wish.along);
     wish.axes = terms->axes;
     wish.nodes = self->clock.knots + 1;
@@ -337,27 +339,27 @@ static nck_status_t begin_motion(nck_stream_t *self) {
 static void set_node(nck_stream_t *self, int k) {
     const nck_timing_terms_t *const terms = &self->wish.terms;
     double (*const c)[NCK_AXIS_MAX] = &self->point[k];
-    const double per = 1.0 / terms->tau;
+    const nck_num per = (nck_num)(1.0 / terms->tau);
     nck_num p1[NCK_AXIS_MAX];
     nck_num p2[NCK_AXIS_MAX];
-    double slowness = 0.0;
-    double square = 0.0;
+    nck_num slowness = 0;
+    nck_num square = 0;
     for (int x = 0; x < terms->axes; x++) {
-        const double first = 0.5 * per * (c[2][x] - c[0][x]);
-        p1[x] = (nck_num)first;
-        p2[x] = (nck_num)(per * per * (c[2][x] - 2.0 * c[1][x] + c[0][x]));
-        slowness = nck_max(slowness, nck_fabs(first) / terms->v[x]);
-        square += first * first;
+        const nck_num before = (nck_num)(c[1][x] - c[0][x]);
+        const nck_num behind = (nck_num)(c[2][x] - c[1][x]);
+        p1[x] = per * (before + behind) / 2;
+        p2[x] = per * per * (behind - before);
+        slowness = nck_num_max(slowness, NCK_NUM_ABS(p1[x]) / terms->v[x]);
+        square += p1[x] * p1[x];
     }
     const double s = self->clock.s[4 * k];
     self->near = nck_track_find(&self->track, self->near, s);
-    const double feed = nck_track_feed(&self->track, self->near, s);
-    double least = 1.0 / FASTEST;
-    least = nck_max(least, slowness * slowness);
-    if (feed > 0.0) least = nck_max(least, square / (feed * feed));
+    const nck_num feed = (nck_num)nck_track_feed(&self->track, self->near, s);
+    nck_num least = nck_num_max(1 / FASTEST, slowness * slowness);
+    if (feed > 0) least = nck_num_max(least, square / (feed * feed));
     const double pace = (self->told.plans > 0 ? NEAR : FRESH)
                         * nck_timing_pace(&self->clock, &self->track, &self->near, k);
-    const nck_num cap_and_b[2] = {(nck_num)(1.0 / least), (nck_num)pace};
+    const nck_num cap_and_b[2] = {1 / least, (nck_num)pace};
     nck_motion_node(&self->work.plan.motion, k, p1, p2, cap_and_b);
 }
 

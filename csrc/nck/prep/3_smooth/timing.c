@@ -14,11 +14,12 @@
 // A knot on a line is as long as τ at its speed, or so much of the way to the line's next end.
 // Twice as much costs stiff machines 0.3 % of time, half of it soft ones a tenth: they see no stop
 // as a whole.
-#define GROWS 0.04
+#define GROWS ((nck_num)0.04)
 // … but knots grow no faster than √(so much J/v) a second: what the clock has of jerk, v(ṁ/m)², the
 // motion takes away again, to a few per cent. 0.3 costs 0.3 % of time, 0.03 wins none.
-#define SWINGS 0.1
-#define TURNS 0.001 // … and a feed a revolution changes by no more of itself from knot to knot
+#define SWINGS ((nck_num)0.1)
+#define TURNS ((nck_num)0.001) // … and a feed a revolution changes by no more of itself from knot to knot
+#define FAR ((nck_num)1e9) // [path mm] is beyond any path
 #define STRETCHED ((nck_num)0.6) // of the clock's speed: where knots may be as far apart they are
 #define SLOWEST ((nck_num)0.3) // the least and
 #define FASTEST ((nck_num)1.5) // most that a plan may change the clock by at once
@@ -62,8 +63,8 @@ typedef struct rung {
 
 // A place while it is looked at.
 typedef struct sight {
-    double first;      // the path is known from here
-    double known;      // to here [path mm]
+    double known;      // the path is known to here [path mm]
+    nck_num room;      // so far before it and behind it at least, or it goes on straight [mm]
     nck_num tolerance; // P [mm]
     nck_track_view_t middle;
     nck_num odd[4][NCK_AXIS_MAX]; // p(s + h) − p(s − h) of the last four rungs
@@ -81,12 +82,12 @@ static void add_rung(const nck_timing_terms_t *terms, sight_t *sight, int n, con
     const nck_num *const inner = sight->odd[(n + 1) % 4];
     for (int x = 0; x < terms->axes; x++) {
         const nck_num even = NCK_NUM_ABS(rung->front[x] + rung->back[x]);
-        const nck_num second = (even - 4 * sight->tolerance) / ((nck_num)terms->a[x] * h * h);
+        const nck_num second = (even - 4 * sight->tolerance) / (terms->a[x] * h * h);
         odd[x] = rung->front[x] - rung->back[x];
         bends->second = nck_num_max(bends->second, second);
         if (n < 3) continue;
         const nck_num turn = NCK_NUM_ABS(odd[x] - 3 * inner[x]);
-        const nck_num third = (turn - 8 * sight->tolerance) / ((nck_num)terms->j[x] * l * l * l);
+        const nck_num third = (turn - 8 * sight->tolerance) / (terms->j[x] * l * l * l);
         bends->third = nck_num_max(bends->third, third);
     }
 }
@@ -95,20 +96,15 @@ static void add_rung(const nck_timing_terms_t *terms, sight_t *sight, int n, con
 static nck_num axis_speed(const nck_timing_terms_t *terms, const nck_num *odd, nck_num h) {
     nck_num slowness = (nck_num)1e-9;
     for (int x = 0; x < terms->axes; x++) {
-        slowness = nck_num_max(slowness, NCK_NUM_ABS(odd[x]) / (2 * h * (nck_num)terms->v[x]));
+        slowness = nck_num_max(slowness, NCK_NUM_ABS(odd[x]) / (2 * h * terms->v[x]));
     }
     return 1 / slowness;
 }
 
-static void find_offset(nck_timing_t *self, const nck_track_t *track, const sight_t *sight, int k,
+static void find_offset(nck_timing_t *self, const nck_track_t *track, sight_t *sight, int k,
                         double s, nck_num *offset_out) {
     self->guess.near[k] = nck_track_find(track, self->guess.near[k], s);
     nck_track_offset(track, &sight->middle, self->guess.near[k], s, offset_out);
-}
-
-// 1 if the path is known at s, or goes on straight there.
-static int is_seen(const nck_timing_t *self, const sight_t *sight, double s) {
-    return (s >= sight->first || sight->first <= 0.0) && (s <= sight->known || self->closed);
 }
 
 // How fast the place may be passed, as its surroundings up to `reach` show.
@@ -119,12 +115,9 @@ static nck_num look_around(nck_timing_t *self, const nck_track_t *track, sight_t
     bends_t bends = {0, 0};
     nck_num v = (nck_num)1e9;
     nck_num h = 2 * sight->tolerance;
-    for (int n = 0; n < NCK_TIMING_RUNGS && (n < 1 || h <= reach); n++) {
-        const double front = sight->middle.s + (double)h;
-        const double back = sight->middle.s - (double)h;
-        if (!is_seen(self, sight, back) || !is_seen(self, sight, front)) break;
-        find_offset(self, track, sight, 2 * n, front, rung.front);
-        find_offset(self, track, sight, 2 * n + 1, back, rung.back);
+    for (int n = 0; n < NCK_TIMING_RUNGS && (n < 1 || h <= reach) && h <= sight->room; n++) {
+        find_offset(self, track, sight, 2 * n, sight->middle.s + (double)h, rung.front);
+        find_offset(self, track, sight, 2 * n + 1, sight->middle.s - (double)h, rung.back);
         rung.h = h;
         add_rung(terms, sight, n, &rung, &bends);
         if (n == 0) v = axis_speed(terms, sight->odd[0], h);
@@ -134,7 +127,8 @@ static nck_num look_around(nck_timing_t *self, const nck_track_t *track, sight_t
     if (v * v * v * bends.third > USE * USE * USE) {
         v = USE * (nck_num)nck_root_cube(1.0 / (double)bends.third);
     }
-    const nck_num least = (nck_num)(0.5 * terms->smooth_least * terms->tau * terms->tau);
+    const nck_num tau = (nck_num)terms->tau;
+    const nck_num least = NCK_NUM_OF(0.5) * terms->smooth_least * tau * tau;
     return nck_num_max(v, least);
 }
 
@@ -143,7 +137,7 @@ static nck_num look_around(nck_timing_t *self, const nck_track_t *track, sight_t
 static double next_place(nck_timing_t *self, double end) {
     const nck_timing_terms_t *const terms = self->terms;
     const double half = 0.5 * terms->tau;
-    const double least = NCK_TIMING_LEAVE * terms->smooth_least * half * half * half / 6.0;
+    const double least = NCK_TIMING_LEAVE * (double)terms->smooth_least * half * half * half / 6.0;
     if (self->guess.head == 0) return 0.0;
     const nck_place_t *const last = nck_timing_place(self, self->guess.head - 1);
     const nck_num rate = nck_timing_rate(terms, self->guess.v, last->wide);
@@ -186,14 +180,16 @@ static nck_num wide_at(const nck_timing_t *self, const nck_track_t *track, uint3
     if (self->even) return 0;
     *near = nck_track_find(track, *near, s);
     const nck_track_element_t *const element = nck_track_at(track, *near);
-    const double v = nck_min(nck_track_feed(track, *near, s), terms->v_most);
-    if (element->kind != NCK_SEG_LINE || !(terms->longest > 1.0) || !(v > 0.0)) return 0;
+    const nck_num feed = (nck_num)nck_track_feed(track, *near, s);
+    const nck_num v = nck_num_min(feed, terms->v_most);
+    if (element->kind != NCK_SEG_LINE || !(terms->longest > 1) || !(v > 0)) return 0;
     const nck_num way = (nck_num)(s - element->s);
     const nck_num length = (nck_num)element->length;
-    const double grows = nck_min(GROWS / terms->tau,
-                                 nck_sqrt(SWINGS * terms->j_least / v));
-    const nck_num most = (nck_num)(TURNS * nck_track_even(track, *near, s) / terms->tau);
-    return nck_num_min(most, nck_num_max((nck_num)grows * way * (1 - way / length), 0));
+    const nck_num tau = (nck_num)terms->tau;
+    const nck_num swings = NCK_NUM_SQRT(SWINGS * terms->j_least / v);
+    const nck_num grows = nck_num_min(GROWS / tau, swings);
+    const nck_num most = TURNS * (nck_num)nck_track_even(track, *near, s) / tau;
+    return nck_num_min(most, nck_num_max(grows * way * (1 - way / length), 0));
 }
 
 nck_status_t nck_timing_look(nck_timing_t *self, const nck_track_t *track) {
@@ -201,7 +197,6 @@ nck_status_t nck_timing_look(nck_timing_t *self, const nck_track_t *track) {
     if (self->looked || self->guess.head - self->guess.tail == NCK_TIMING_PLACES) return NCK_DONE;
     sight_t sight = {.known = nck_track_known(track)};
     if (!(sight.known > 0.0)) return self->closed ? NCK_DONE : NCK_EMPTY;
-    sight.first = nck_track_at(track, track->tail)->s;
     const double s = next_place(self, sight.known);
     uint32_t *const near = &self->guess.near[2 * NCK_TIMING_RUNGS];
     *near = nck_track_find(track, *near, s);
@@ -211,6 +206,9 @@ nck_status_t nck_timing_look(nck_timing_t *self, const nck_track_t *track) {
         self->brakes = self->guess.head - self->guess.tail < NCK_FAIR_WINDOW;
         if (s > sight.known) return NCK_DONE;
     }
+    const double first = nck_track_at(track, track->tail)->s;
+    sight.room = self->closed ? FAR : (nck_num)(sight.known - s);
+    if (first > 0.0) sight.room = nck_num_min(sight.room, (nck_num)(s - first));
     sight.tolerance = (nck_num)element->tolerance;
     nck_track_view(track, *near, s, &sight.middle);
     const nck_num wide = wide_at(self, track, near, s);
@@ -277,7 +275,7 @@ double nck_timing_pace(const nck_timing_t *self, const nck_track_t *track, uint3
     const nck_track_element_t *const element = nck_track_at(track, *near);
     const double way = nck_min(s - element->s, element->s + element->length - s);
     const double feed = nck_track_feed(track, *near, s);
-    const double vv = nck_min(feed * feed, 2.0 * self->terms->a_least * way);
+    const double vv = nck_min(feed * feed, 2.0 * (double)self->terms->a_least * way);
     return nck_min(1.0, vv / (rate * rate));
 }
 

@@ -24,19 +24,19 @@ enum {
 typedef struct nck_timing_terms {
     int axes;     // so many
     double tau;   // what knots are apart [s]
-    double v[NCK_AXIS_MAX]; // of every axis [mm/s]
-    double a[NCK_AXIS_MAX]; // [mm/s²]
-    double j[NCK_AXIS_MAX]; // [mm/s³]
-    double smooth[NCK_AXIS_MAX]; // what a curve's jerk is measured by: j, or A/τ where that is less
-    double smooth_least;
+    nck_num v[NCK_AXIS_MAX]; // of every axis [mm/s]
+    nck_num a[NCK_AXIS_MAX]; // [mm/s²]
+    nck_num j[NCK_AXIS_MAX]; // [mm/s³]
+    nck_num smooth[NCK_AXIS_MAX]; // what a curve's jerk is measured by: j, or A/τ where that is less
+    nck_num smooth_least;
     double along[2]; // along the path, acceleration [mm/s²] and jerk [mm/s³]; 0: as axes have it
-    double v_most;  // the most of the axes
+    nck_num v_most;  // the most of the axes
     double spin_a;  // how fast the spindle follows a surface speed [rpm/s]; 0: at once
-    double a_least; // the least of the axes and the path
-    double a_reached; // the most that an axis reaches: by its limit, or since its jerk builds it up
+    nck_num a_least; // the least of the axes and the path
+    nck_num a_reached; // the most that an axis reaches: by its limit, or since its jerk builds it up
                       // over no more than twice its speed
-    double j_least;
-    double longest; // what a knot takes at most where nothing is near, in τ; 1 at least
+    nck_num j_least;
+    nck_num longest; // what a knot takes at most where nothing is near, in τ; 1 at least
 } nck_timing_terms_t;
 
 // A place of the program, and how fast it may be passed.
@@ -92,9 +92,9 @@ typedef struct nck_timing {
         double all;   // time of the list [s]; to be stretched
         double more;  // by so much [s]
         double step;  // s is sought at times so far apart [s]
-        double t;     // time behind the place in work [s]
-        double begin; // when that begins, and
-        double end;   // ends, stretched [s]
+        nck_num t;    // time behind the place in work [s]
+        nck_num cell; // how long that lasts, stretched [s]
+        nck_num past; // of that, at the time in work [s]
         nck_num last_v; // of the list's end before the means [path mm/s]
         int count;    // so many steps
         int place;    // of the list, in work

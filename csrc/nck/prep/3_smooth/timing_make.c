@@ -93,8 +93,8 @@ static nck_num speeds_of(const nck_timing_t *self, const nck_place_t *at) {
 }
 
 // How long it takes by the clock from a place to the next one, at even acceleration.
-static double time_of(const nck_timing_t *self, const nck_place_t *at) {
-    return (double)(2 * (nck_num)(at[1].s - at[0].s) / speeds_of(self, at));
+static nck_num time_of(const nck_timing_t *self, const nck_place_t *at) {
+    return 2 * (nck_num)(at[1].s - at[0].s) / speeds_of(self, at);
 }
 
 // Where in such a cell it is at the share w of its time.
@@ -108,11 +108,16 @@ static double within(const nck_timing_t *self, const nck_place_t *at, nck_num w)
 
 // ---- s at even times
 
-// A time that lasts `all` and is to end at another: stretched smoothly.
-static double stretched(const nck_timing_t *self, double t) {
-    if (!(self->make.more > 0.0)) return t;
-    const double w = nck_min(t / self->make.all, 1.0);
-    return t + self->make.more * w * w * (3.0 - 2.0 * w);
+// The next cell, of a list whose time is stretched smoothly: t + more·w²(3 − 2w), w = t/all.
+static void go_to(nck_timing_t *self, nck_num time) {
+    const nck_num all = (nck_num)self->make.all;
+    const nck_num w0 = nck_num_min(self->make.t / all, 1);
+    self->make.t += time;
+    self->make.cell = time;
+    if (!(self->make.more > 0.0)) return;
+    const nck_num w1 = nck_num_min(self->make.t / all, 1);
+    const nck_num rise = 3 * (w0 + w1) - 2 * (w0 * w0 + w0 * w1 + w1 * w1);
+    self->make.cell += (nck_num)self->make.more * (w1 - w0) * rise;
 }
 
 // Begin to find s at count + 1 times, `step` apart, of a list whose time is made.all and grows by
@@ -123,33 +128,30 @@ static void begin_sampling(nck_timing_t *self, const nck_timing_list_t *list, in
     self->make.step = step;
     self->make.more = more;
     self->make.place = 0;
-    self->make.t = time_of(self, list->at);
-    self->make.begin = 0.0;
-    self->make.end = stretched(self, self->make.t);
+    self->make.t = 0;
+    self->make.past = 0;
+    go_to(self, time_of(self, list->at));
 }
 
 // A slice of it; behind the list's end straight on. Returns 1 once all are found.
 static int sample(nck_timing_t *self, const nck_timing_list_t *list) {
     const int last = list->count - 1;
     const int all = self->make.count + 1;
+    const nck_num step = (nck_num)self->make.step;
     int work = NCK_TIMING_SLICE; // places passed count as quarters found do
     for (; self->at < all && work > 0; work--) {
-        const double wanted = self->at * self->make.step;
         const nck_place_t *const at = &list->at[self->make.place];
-        const double end = self->make.end;
-        if (wanted > end && self->make.place + 1 < last) {
+        const nck_num late = self->make.past - self->make.cell;
+        if (late > 0 && self->make.place + 1 < last) {
             self->make.place++;
-            self->make.t += time_of(self, at + 1);
-            self->make.begin = end;
-            self->make.end = stretched(self, self->make.t);
+            self->make.past = late;
+            go_to(self, time_of(self, at + 1));
             continue;
         }
-        const double begin = self->make.begin;
-        const double late = wanted - end;
-        const nck_num share = (nck_num)(wanted - begin) / (nck_num)(end - begin);
         const nck_place_t *const end_of = &list->at[last];
-        self->s[self->at++] = late > 0.0 ? end_of->s + late * (double)rate_at(self, end_of)
-                                         : within(self, at, share);
+        self->s[self->at++] = late > 0 ? end_of->s + (double)(late * rate_at(self, end_of))
+                                       : within(self, at, self->make.past / self->make.cell);
+        self->make.past += step;
     }
     return self->at == all;
 }
@@ -162,7 +164,7 @@ static void cut(nck_timing_t *self, nck_timing_list_t *list) {
     const double quarter = 0.25 * self->terms->tau;
     const int to = slice_end(self, list->count - 1);
     while (self->at < to && self->make.all < most) {
-        self->make.all += time_of(self, &list->at[self->at++]);
+        self->make.all += (double)time_of(self, &list->at[self->at++]);
     }
     if (self->at == to && to < list->count - 1 && self->make.all < most) return;
     list->count = self->at + 1;
@@ -200,11 +202,12 @@ static void take_mean(nck_timing_t *self, nck_timing_list_t *list) {
     const int half = wide < self->make.count ? (int)wide : self->make.count;
     const int all = self->make.count + 1;
     const int to = slice_end(self, all);
+    const double per = 1.0 / (2 * half + 1);
     for (; self->at < to; self->at++) {
         const int k = self->at;
         const int end = k < self->make.count - k ? k : self->make.count - k;
         const int n = half < end ? half : end;
-        self->s[k] = (sum[k + n + 1].s - sum[k - n].s) / (2 * n + 1);
+        self->s[k] = (sum[k + n + 1].s - sum[k - n].s) * (n < half ? 1.0 / (2 * n + 1) : per);
     }
     if (to < all) return;
     if (self->phase == NCK_TIMING_MEAN) {
@@ -260,7 +263,7 @@ static void sum_up(nck_timing_t *self, const nck_timing_list_t *list, double end
     const int all = list->count - 1;
     const int to = slice_end(self, all);
     if (self->at == 0) self->make.all = 0.0;
-    for (; self->at < to; self->at++) self->make.all += time_of(self, &list->at[self->at]);
+    for (; self->at < to; self->at++) self->make.all += (double)time_of(self, &list->at[self->at]);
     if (to >= all) set_window(self, list, end);
 }
 

@@ -19,7 +19,7 @@ enum { NCK_TIMING_SLICE = 24 };
 // v³ = 4.5 J' x².
 static inline nck_num nck_timing_near_rest(const nck_timing_terms_t *terms, double x, nck_num v) {
     const nck_num way = (nck_num)x;
-    const nck_num most = NCK_TIMING_REST * (nck_num)terms->j_least * way * way;
+    const nck_num most = NCK_TIMING_REST * terms->j_least * way * way;
     if (!(way > 0)) return 0;
     return v * v * v <= most ? v : (nck_num)nck_root_cube((double)most);
 }
@@ -28,8 +28,8 @@ static inline nck_num nck_timing_near_rest(const nck_timing_terms_t *terms, doub
 // what jerk leaves from 0 on, a = √(2 J v).
 static inline nck_num nck_timing_reach_speed(const nck_timing_terms_t *terms, nck_num wish,
                                              nck_num v, double h) {
-    const nck_num a = (nck_num)terms->a_least;
-    const nck_num j = (nck_num)terms->j_least;
+    const nck_num a = terms->a_least;
+    const nck_num j = terms->j_least;
     const nck_num tau = (nck_num)terms->tau;
     const nck_num low = j * tau * tau / 32;
     const nck_num leaves = NCK_NUM_SQRT(2 * j * nck_num_max(v, low));
@@ -40,7 +40,7 @@ static inline nck_num nck_timing_reach_speed(const nck_timing_terms_t *terms, nc
 // How fast the clock is, ds/du, where the path is to have the speed v: where nothing is near knots
 // last longer, and the motion is slower than the clock.
 static inline nck_num nck_timing_rate(const nck_timing_terms_t *terms, nck_num v, nck_num wide) {
-    const nck_num most = ((nck_num)terms->longest - 1) * v;
+    const nck_num most = (terms->longest - 1) * v;
     if (!(wide > 0) || !(most > 0)) return v;
     const nck_num more = wide * wide / (wide + v / 2);
     return v + more * most / (more + most);

@@ -188,11 +188,20 @@ double nck_track_known(const nck_track_t *self) {
     return last->s + last->length;
 }
 
+// What goes up from zero on as a double does, and is below zero with it: a core without doubles
+// compares words in three instructions.
+static int64_t order_of(double s) {
+    int64_t bits;
+    memcpy(&bits, &s, sizeof bits);
+    return bits;
+}
+
 uint32_t nck_track_find(const nck_track_t *self, uint32_t near, double s) {
+    const int64_t at = order_of(s);
     const uint32_t last = known_end(self) - 1;
     uint32_t count = near - self->tail > last - self->tail ? self->tail : near;
-    while (count != self->tail && s < nck_track_at(self, count)->s) count--;
-    while (count != last && s >= nck_track_at(self, count + 1)->s) count++;
+    while (count != self->tail && at < order_of(nck_track_at(self, count)->s)) count--;
+    while (count != last && at >= order_of(nck_track_at(self, count + 1)->s)) count++;
     return count;
 }
 
@@ -245,24 +254,27 @@ void nck_track_view(const nck_track_t *self, uint32_t count, double s,
                     nck_track_view_t *view_out) {
     view_out->count = count;
     view_out->s = s;
+    view_out->seen[0].count = count;
+    view_out->seen[1].count = count;
     nck_track_point(self, count, s, view_out->point);
 }
 
-// What s is of an element past its point that is next to the view; `near_out`: that point.
-static double way_from(const nck_track_t *self, const nck_track_view_t *from, uint32_t count,
-                       double s, const double **near_out) {
+// An element of the view's sides, from its end that is next to the view on.
+static const nck_track_seen_t *see(const nck_track_t *self, nck_track_view_t *from,
+                                   uint32_t count) {
     const nck_track_element_t *const element = nck_track_at(self, count);
-    if (count == from->count) {
-        *near_out = from->point;
-        return s - from->s;
-    }
     const int is_before = count - self->tail < from->count - self->tail;
-    *near_out = is_before ? nck_track_end(self, count) : element->start;
-    return s - (is_before ? element->s + element->length : element->s);
+    nck_track_seen_t *const seen = &from->seen[is_before];
+    if (seen->count == count) return seen;
+    const double *const near = is_before ? nck_track_end(self, count) : element->start;
+    seen->count = count;
+    seen->s = is_before ? element->s + element->length : element->s;
+    for (int x = 0; x < self->axes; x++) seen->off[x] = (nck_num)(near[x] - from->point[x]);
+    return seen;
 }
 
-void nck_track_offset(const nck_track_t *self, const nck_track_view_t *from, uint32_t count,
-                      double s, nck_num *offset_out) {
+void nck_track_offset(const nck_track_t *self, nck_track_view_t *from, uint32_t count, double s,
+                      nck_num *offset_out) {
     const nck_track_element_t *const element = nck_track_at(self, count);
     if (element->kind == NCK_SEG_ARC) {
         double point[NCK_AXIS_MAX];
@@ -270,13 +282,15 @@ void nck_track_offset(const nck_track_t *self, const nck_track_view_t *from, uin
         for (int x = 0; x < self->axes; x++) offset_out[x] = (nck_num)(point[x] - from->point[x]);
         return;
     }
-    const double *near = from->point;
-    const nck_num way = (nck_num)way_from(self, from, count, s, &near);
-    const nck_num f = way / (nck_num)element->length;
-    for (int x = 0; x < self->axes; x++) {
-        const nck_num before = near == from->point ? 0 : (nck_num)(near[x] - from->point[x]);
-        offset_out[x] = before + element->shape.way[x] * f;
+    const nck_num length = (nck_num)element->length;
+    if (count == from->count) {
+        const nck_num f = (nck_num)(s - from->s) / length;
+        for (int x = 0; x < self->axes; x++) offset_out[x] = element->shape.way[x] * f;
+        return;
     }
+    const nck_track_seen_t *const seen = see(self, from, count);
+    const nck_num f = (nck_num)(s - seen->s) / length;
+    for (int x = 0; x < self->axes; x++) offset_out[x] = seen->off[x] + element->shape.way[x] * f;
 }
 
 void nck_track_tangent(const nck_track_t *self, uint32_t count, double s, nck_num *tangent_out) {

@@ -112,11 +112,19 @@ uint32_t nck_track_find(const nck_track_t *self, uint32_t near, double s);
 // The point at s of a known element, straight on beyond it. Cost: constant. Context: prep.
 void nck_track_point(const nck_track_t *self, uint32_t count, double s, double *point_out);
 
+// An element that was looked at from a view.
+typedef struct nck_track_seen {
+    uint32_t count;            // the view's own: none
+    double s;                  // of its end that is next to the view [path mm]
+    nck_num off[NCK_AXIS_MAX]; // where that is, from the view's point [mm, deg]
+} nck_track_seen_t;
+
 // A place that points near it are told from: floats hold what is near.
 typedef struct nck_track_view {
     uint32_t count;             // element
     double s;                   // [path mm]
     double point[NCK_AXIS_MAX]; // [mm, deg]
+    nck_track_seen_t seen[2];   // last behind it, and before it
 } nck_track_view_t;
 
 // The view from s of a known element. Cost: constant. Context: prep.
@@ -124,8 +132,8 @@ void nck_track_view(const nck_track_t *self, uint32_t count, double s, nck_track
 
 // p(s) of a known element less the point of a view [mm, deg]. It is as exact as a number of its
 // size can be, however long an element is. Cost: constant. Context: prep.
-void nck_track_offset(const nck_track_t *self, const nck_track_view_t *from, uint32_t count,
-                      double s, nck_num *offset_out);
+void nck_track_offset(const nck_track_t *self, nck_track_view_t *from, uint32_t count, double s,
+                      nck_num *offset_out);
 
 // dp/ds at s of a known element. Cost: constant. Context: prep.
 void nck_track_tangent(const nck_track_t *self, uint32_t count, double s, nck_num *tangent_out);
