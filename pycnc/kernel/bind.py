@@ -15,7 +15,7 @@ os.environ.setdefault("OMP_WAIT_POLICY", "passive")
 
 from pycnc._nck import ffi, lib  # noqa: E402
 
-_plain = ffi.new_allocator(should_clear_after_alloc=False)  # who has the memory begins it
+new_room = ffi.new_allocator(should_clear_after_alloc=False)  # who has the memory begins it
 
 _CAUSES = {
     lib.NCK_E_ARGUMENT: errors.ArgumentError,
@@ -84,7 +84,7 @@ def room_for(type_name, size):
 
     type_name: of the pointer, such as ``"nck_t *"``.
     """
-    room = _plain("double[]", -(-size // ffi.sizeof("double")))
+    room = new_room("double[]", -(-size // ffi.sizeof("double")))
     return room, ffi.cast(type_name, room)
 
 

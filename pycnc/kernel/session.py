@@ -2,11 +2,10 @@
 """A machine that speaks grbl's protocol, in virtual time: bytes in, bytes out."""
 
 from pycnc.kernel import kept
-from pycnc.kernel.bind import check, ffi, lib
+from pycnc.kernel.bind import check, ffi, lib, new_room
 
 STEPS = 64  # of preparation between two ticks, at most
 WAITING_MOST = 1 << 24  # bytes in front of a real-time one that is heard at once
-_plain = ffi.new_allocator(should_clear_after_alloc=False)  # what is not used is not there
 
 
 class Session:
@@ -39,9 +38,9 @@ class Session:
 
     def __init__(self, machine, steps=STEPS):
         self._machine, self._steps = machine, steps
-        self._nck, self._host = ffi.new("nck_t *"), ffi.new("host_serve_t *")
+        self._nck, self._host = new_room("nck_t *"), ffi.new("host_serve_t *")
         self._out = ffi.new("char[]", lib.HOST_OUT)
-        self._in = _plain("char[]", WAITING_MOST)
+        self._in = new_room("char[]", WAITING_MOST)
         check(lib.host_serve_init(self._host, self._nck, machine.pointer))
         lib.host_serve_lend(self._host, self._in, WAITING_MOST)
         if machine.switches is not None:
