@@ -3,6 +3,7 @@
 # threads by OpenMP. Both are left out where the compiler lacks them
 # (-DCMAKE_DISABLE_FIND_PACKAGE_OpenMP=ON builds without threads in any case).
 include(CheckCCompilerFlag)
+include(CheckCSourceCompiles)
 check_c_compiler_flag(-mavx2 NCK_COMPILER_HAS_AVX2)
 find_package(OpenMP COMPONENTS C)
 
@@ -25,5 +26,17 @@ function(nck_add_host_variants target)
     endif()
     if(OpenMP_C_FOUND)
         target_link_libraries(${target} PRIVATE OpenMP::OpenMP_C)
+    endif()
+endfunction()
+
+# The kernel's solvers for AVX2, too, chosen when the module is loaded: where the compiler and the
+# C library can.
+function(nck_clone_lanes)
+    set(clones "__attribute__((flatten, target_clones(\"avx2\", \"default\")))")
+    set(CMAKE_REQUIRED_FLAGS -Werror)
+    check_c_source_compiles("${clones} int f(void) { return 0; } int main(void) { return f(); }"
+        NCK_COMPILER_HAS_CLONES)
+    if(NCK_COMPILER_HAS_CLONES)
+        add_compile_definitions("NCK_LANES=${clones}")
     endif()
 endfunction()

@@ -5,6 +5,7 @@ The pair of files is compiled for four more processors, which QEMU plays, with o
 their compilers fuse a·b + c unless the sources forbid it.
 """
 
+import platform
 import subprocess
 import sys
 from dataclasses import replace
@@ -99,6 +100,22 @@ def test_setpoints_are_the_same_on_every_processor(pair, programs, here, tool, n
     options, played = PROCESSORS[name]
     compiler, emulator = tool(f"{name}-linux-gnu-gcc"), [tool(f"qemu-{played}")]
     assert setpoints(pair, programs, compiler, options, emulator).splitlines() == here
+
+
+PLANNED = """
+import hashlib, sys, pycnc
+for name in sys.argv[1:]:
+    plan = pycnc.plan(pycnc.load(open(name).read(), machine="mill3"))
+    print(hashlib.sha256(plan.cells.tobytes()).hexdigest())
+"""
+
+
+@pytest.mark.skipif(platform.machine() != "x86_64", reason="a processor without AVX2")
+def test_the_module_plans_the_same_without_avx2(programs, tool):
+    here = call(sys.executable, "-c", PLANNED, *programs)
+    assert len(set(here.split())) == len(programs)
+    old = [tool("qemu-x86_64"), "-cpu", "Nehalem", sys.executable]
+    assert call(*old, "-c", PLANNED, *programs) == here
 
 
 # What the compiler may not do

@@ -130,7 +130,7 @@ static void reserve(nck_motion_t *self, int node, nck_num most, nck_num fastest)
     }
 }
 
-void nck_motion_check(nck_motion_t *self, int chunk) {
+NCK_LANES void nck_motion_check(nck_motion_t *self, int chunk) {
     side_t sides[2];
     memset(sides, 0, sizeof sides);
     for (int n = 0; n < self->moving; n++) check_axis(self, chunk, self->axis[n], sides);

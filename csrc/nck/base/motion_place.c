@@ -32,7 +32,7 @@ static void shape_of_middles(const nck_num *restrict b, nck_motion_shape_t *rest
     }
 }
 
-void nck_motion_shape(const nck_num *line, int kind, nck_motion_shape_t *shape_out) {
+NCK_LANES void nck_motion_shape(const nck_num *line, int kind, nck_motion_shape_t *shape_out) {
     if (kind == 0) shape_of_nodes(line, shape_out);
     if (kind != 0) shape_of_middles(line, shape_out);
 }
@@ -51,7 +51,7 @@ static void mark_rows(const nck_num *restrict node, const nck_num *restrict cell
     }
 }
 
-void nck_motion_place(const nck_motion_t *self, int chunk, int kind,
+NCK_LANES void nck_motion_place(const nck_motion_t *self, int chunk, int kind,
                       nck_motion_place_t *place_out) {
     const int first = chunk * NCK_MOTION_LANES;
     place_out->kind = kind;
@@ -106,7 +106,7 @@ static nck_motion_ways_t lane_of(const nck_motion_path_t *path, int k) {
     return ways;
 }
 
-void nck_motion_path(const nck_motion_t *self, int chunk, int axis, int kind,
+NCK_LANES void nck_motion_path(const nck_motion_t *self, int chunk, int axis, int kind,
                      nck_motion_path_t *path_out) {
     nck_motion_dots_t dots[NCK_MOTION_LANES];
     if (axis != NCK_MOTION_ALONG) {
@@ -231,7 +231,7 @@ static void scatter_middle_gradient(nck_num *line, const nck_motion_shape_t *g) 
     add(line + 2, g->bend[1]);
 }
 
-void nck_motion_scatter(nck_motion_t *self, int chunk, int kind,
+NCK_LANES void nck_motion_scatter(nck_motion_t *self, int chunk, int kind,
                         const nck_motion_system_t *system) {
     const int first = chunk * NCK_MOTION_LANES; // node −1 of the chunk's line
     if (kind == 0) {

@@ -211,7 +211,7 @@ static int first_kind(const nck_motion_t *self) {
     return (self->wish.ends & NCK_MOTION_COARSE) != 0;
 }
 
-void nck_motion_seed(nck_motion_t *self, int chunk) {
+NCK_LANES void nck_motion_seed(nck_motion_t *self, int chunk) {
     nck_motion_place_t place;
     nck_motion_path_t path;
     for (int kind = first_kind(self); kind < NCK_MOTION_PLACES; kind++) {
@@ -225,7 +225,7 @@ void nck_motion_seed(nck_motion_t *self, int chunk) {
     }
 }
 
-void nck_motion_assemble(nck_motion_t *self, int chunk) {
+NCK_LANES void nck_motion_assemble(nck_motion_t *self, int chunk) {
     nck_motion_place_t place;
     nck_motion_path_t path;
     nck_motion_system_t system;
@@ -243,7 +243,7 @@ void nck_motion_assemble(nck_motion_t *self, int chunk) {
     }
 }
 
-void nck_motion_direct(nck_motion_t *self, int chunk) {
+NCK_LANES void nck_motion_direct(nck_motion_t *self, int chunk) {
     nck_motion_place_t place;
     nck_motion_shape_t step;
     nck_motion_path_t path;

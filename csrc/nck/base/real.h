@@ -20,6 +20,12 @@
 #endif
 #endif
 
+// What a build may put before the solvers' loops: a PC's module has them for AVX2, too, with the
+// same bits (cmake/host_variants.cmake).
+#ifndef NCK_LANES
+#define NCK_LANES
+#endif
+
 #ifdef __OPENCL_VERSION__
 #pragma OPENCL FP_CONTRACT OFF
 // The same words in both languages: arguments read and written, the number, its functions.

@@ -408,7 +408,7 @@ nck_num nck_fair_tightness(const nck_fair_t *self, int i, int intervals) {
     return sum;
 }
 
-nck_status_t nck_fair_step(nck_fair_t *self) {
+NCK_LANES nck_status_t nck_fair_step(nck_fair_t *self) {
     switch (self->task.axes) {
     case 2: work(self, 2); break;
     case 3: work(self, 3); break;
