@@ -2,7 +2,6 @@
 // Room 5, slope: the jerk-limited planner on a clocked path.
 #include "nck/prep/5_slope/optimal.h"
 
-#include <stddef.h> // offsetof
 #include <string.h> // memset
 
 #include "nck/base/real.h"                  // nck_max nck_sqrt
@@ -51,13 +50,14 @@ enum { AGAIN_MOST = 2 };
 #define TIME_LOST 1e6  // … nor is what takes longer [s], or no number
 
 void nck_optimal_init(nck_optimal_t *self, const nck_terms_t *terms, nck_link_t *link,
-                      const nck_plan_t *now, nck_plan_t *next) {
+                      const nck_plan_t *now, nck_plan_t *next, nck_motion_t *motion) {
     if (!NCK_HAS_OPTIMAL) return;
-    memset(self, 0, offsetof(nck_optimal_t, motion)); // which each plan begins
+    memset(self, 0, sizeof *self);
     self->terms = terms;
     self->link = link;
     self->now = now;
     self->next = next;
+    self->motion = motion;
 }
 
 // The plan drawn last may have been published, or not.
@@ -149,7 +149,7 @@ static nck_status_t set_wish(nck_optimal_t *self) {
         asked.most = ITERATIONS_SLOWED;
     }
     nck_optimal_set_limits(self, &asked);
-    return nck_motion_begin(&self->motion, NCK_OPTIMAL_AT(nck_link_spare(self->link), motion),
+    return nck_motion_begin(self->motion, NCK_OPTIMAL_AT(nck_link_spare(self->link), motion),
                             &asked);
 }
 
@@ -179,7 +179,7 @@ static nck_status_t fill_nodes(nck_optimal_t *self, const nck_pieces_t *pieces) 
 // the plan before goes on to its rest.
 static double factor_of(const nck_optimal_t *self) {
     nck_motion_told_t told;
-    nck_motion_told(&self->motion, &told);
+    nck_motion_told(self->motion, &told);
     if (!(told.time < TIME_LOST)) return 0.0;
     if (told.share <= SHARE_MOST) return 1.0;
     return nck_optimal_goes_on(self) || !(told.share < SHARE_LOST) ? 0.0 : 1.0 / told.share;
@@ -253,13 +253,13 @@ static nck_status_t solve_again(nck_optimal_t *self) {
 }
 
 static nck_status_t solve_motion(nck_optimal_t *self, const nck_pieces_t *pieces) {
-    const nck_status_t status = nck_motion_step(&self->motion);
+    const nck_status_t status = nck_motion_step(self->motion);
     nck_optimal_pace_t *const work = nck_optimal_work(self);
     if (status != NCK_DONE) return status;
     const double factor = factor_of(self);
     if (!(factor > 0.0)) return NCK_E_STATE;
     for (uint32_t k = 0; k <= work->n; k++) {
-        work->b[k] = factor * (double)nck_motion_b(&self->motion, (int)k);
+        work->b[k] = factor * (double)nck_motion_b(self->motion, (int)k);
     }
     if (factor < AGAIN_BELOW && self->again < AGAIN_MOST) return solve_again(self);
     const nck_optimal_pace_t *const now = nck_optimal_now(self);
@@ -291,7 +291,7 @@ uint32_t nck_optimal_price(const nck_optimal_t *self) {
     switch (NCK_HAS_OPTIMAL ? self->phase : (uint32_t)PHASE_LAY) {
     case PHASE_LAY: return 0;
     case PHASE_FILL: return 98;
-    case PHASE_SOLVE: return nck_motion_price(&self->motion);
+    case PHASE_SOLVE: return nck_motion_price(self->motion);
     default: return 80;
     }
 }

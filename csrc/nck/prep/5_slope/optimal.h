@@ -60,13 +60,13 @@ typedef struct nck_optimal {
     uint8_t held_by[NCK_MOTION_NODES]; // nck_limit_t that caps a node
     nck_optimal_look_t looked[NCK_OPTIMAL_LOOKS];
     nck_optimal_pace_t pace[2];
-    nck_motion_t motion;
+    nck_motion_t *motion;  // of the window in work; each plan begins it
 } nck_optimal_t;
 
-// now, next: the slope's plans, published and in work. Cost: constant. Context: any, before the
-// tick runs.
+// now, next: the slope's plans, published and in work; motion: what the planner works in from the
+// begin of a plan to its end. Cost: constant. Context: any, before the tick runs.
 void nck_optimal_init(nck_optimal_t *self, const nck_terms_t *terms, nck_link_t *link,
-                      const nck_plan_t *now, nck_plan_t *next);
+                      const nck_plan_t *now, nck_plan_t *next, nck_motion_t *motion);
 
 // Begin to plan. Cost: linear in the nodes of a window. Context: prep.
 void nck_optimal_begin(nck_optimal_t *self, const nck_job_t *job);

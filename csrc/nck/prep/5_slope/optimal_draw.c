@@ -55,7 +55,7 @@ static double time_over(double b0, double a0, double a1, double h) {
 // What holds the path about node k. Behind its top a plan brakes for what it does not know.
 static uint8_t limit_at(const nck_optimal_t *self, const nck_optimal_pace_t *work, uint32_t k) {
     if (!work->ends && k > work->top) return NCK_LIMIT_LOOKAHEAD;
-    switch (nck_motion_hold(&self->motion, (int)k)) {
+    switch (nck_motion_hold(self->motion, (int)k)) {
     case NCK_MOTION_ACCELERATION: return NCK_LIMIT_ACCEL;
     case NCK_MOTION_JERK: return NCK_LIMIT_JERK;
     default: return self->held_by[k];

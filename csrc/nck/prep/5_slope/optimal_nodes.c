@@ -356,7 +356,7 @@ void nck_optimal_fill(nck_optimal_t *self, const nck_pieces_t *pieces, uint32_t 
     }
     cap_and_b[1] = (nck_num)pace_guess(self, k, (double)cap_and_b[0], first);
     work->b[k] = (double)cap_and_b[1];
-    nck_motion_node(&self->motion, (int)k, first, second, cap_and_b);
+    nck_motion_node(self->motion, (int)k, first, second, cap_and_b);
 }
 
 // What an axis may do; one that the machine lacks never moves: any limit will do.

@@ -25,15 +25,20 @@ static nck_optimal_t *optimal_of(nck_slope_t *self) {
     return NCK_OPTIMAL_AT(self, optimal);
 }
 
+static void begin_jerk(nck_slope_t *self) {
+    nck_jerk_init(&self->planner.jerk, self->machine, self->link, &self->now, &self->next);
+}
+
 void nck_planner_init(nck_slope_t *self) {
     const nck_machine_t *const machine = self->machine;
     nck_link_t *const link = self->link;
     self->kind_in_force = planner_of(machine);
     if (slope_of(machine) == NCK_SLOPE_OPTIMAL) {
-        nck_optimal_init(optimal_of(self), self->terms, link, &self->now, &self->next);
+        nck_optimal_init(optimal_of(self), self->terms, link, &self->now, &self->next,
+                         NCK_OPTIMAL_AT(self, planner.motion));
     }
     if (self->kind_in_force == NCK_SLOPE_JERK) {
-        nck_jerk_init(&self->planner.jerk, machine, link, &self->now, &self->next);
+        begin_jerk(self);
     } else {
         nck_linear_init(&self->planner.linear, machine, link, &self->next);
     }
@@ -42,7 +47,10 @@ void nck_planner_init(nck_slope_t *self) {
 void nck_planner_choose(nck_slope_t *self, const nck_node_t *piece) {
     if (!NCK_HAS_OPTIMAL || slope_of(self->machine) != NCK_SLOPE_OPTIMAL || !piece) return;
     const int is_clocked = nck_link_seg(self->link, piece->seg)->kind == NCK_SEG_SPLINE;
-    self->kind_in_force = is_clocked ? (uint32_t)NCK_SLOPE_OPTIMAL : (uint32_t)NCK_SLOPE_JERK;
+    const uint32_t kind = is_clocked ? (uint32_t)NCK_SLOPE_OPTIMAL : (uint32_t)NCK_SLOPE_JERK;
+    if (kind == self->kind_in_force) return;
+    self->kind_in_force = kind;
+    if (!is_clocked) begin_jerk(self); // the other one has worked in its place
 }
 
 void nck_planner_begin(nck_slope_t *self, const nck_job_t *job) {

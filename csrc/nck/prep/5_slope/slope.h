@@ -62,11 +62,12 @@ typedef struct nck_slope {
     uint32_t hurried;      // 1: the plan in work takes what is known …
     uint32_t awaits_tail;  // … 1: and did not join: the path starves
     uint32_t kind_in_force; // nck_slope_kind_t of the planner in force
-    union {                // by it
+    union {                // of the plan in work, by it
         nck_linear_t linear;
         nck_jerk_t jerk;
+        NCK_OPTIMAL_MEMBER(nck_motion_t, motion) // of `optimal`
     } planner;
-    NCK_OPTIMAL_MEMBER(nck_optimal_t, optimal) // beside the exact path's
+    NCK_OPTIMAL_MEMBER(nck_optimal_t, optimal) // what it keeps from plan to plan
 } nck_slope_t;
 
 // Fill in what the machine's slope means to the other rooms. Once more after a change of limits.
