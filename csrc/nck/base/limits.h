@@ -162,13 +162,18 @@
 // corner.c), and holds know it (room 5, linear_left.c). A shorter window seldom holds enough.
 #define NCK_HAS_POLYGONS (NCK_WINDOW >= 256)
 
-// What holds the state of cycles, of layouts, of parameters and calls, of compensation, of
-// marks, of the jerk-limited slope. Where they are left out it is only read, as zero:
+// What holds the state of cycles, of threads, of layouts, of parameters and calls, of compensation,
+// of marks, of the jerk-limited slope. Where they are left out it is only read, as zero:
 // one place serves all members.
 #if NCK_HAS_CYCLES
 #define NCK_CYCLE_STATE struct
 #else
 #define NCK_CYCLE_STATE union
+#endif
+#if NCK_HAS_THREADS
+#define NCK_THREAD_STATE struct
+#else
+#define NCK_THREAD_STATE union
 #endif
 #if NCK_HAS_LAYOUTS
 #define NCK_LAYOUT_STATE struct

@@ -89,7 +89,7 @@ typedef struct nck_output {
 } nck_output_t;
 
 // A pass of a thread. Its leading measure is what the lead is told along: the path, or an axis.
-typedef struct nck_thread {
+typedef NCK_THREAD_STATE nck_thread {
     double length;       // of the pass along that measure [mm]
     double lead;         // along it, a revolution [mm]
     double enter;        // X still goes in by so much [mm], beside the straight way
@@ -101,7 +101,7 @@ typedef struct nck_thread {
 } nck_thread_t;
 
 // A hole that is tapped: in with the spindle, and out as it turns back.
-typedef struct nck_tap {
+typedef NCK_THREAD_STATE nck_tap {
     double way[3];       // from the start to the bottom, X Y Z [mm]
     double lead;         // along it, a revolution [mm]
     float dwell;         // how long the spindle stands at the bottom [s]

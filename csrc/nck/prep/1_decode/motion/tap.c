@@ -13,10 +13,11 @@ nck_status_t nck_decode_tap(nck_decode_t *self, const int64_t *bottom_nm, double
                             double dwell_s, nck_block_t *out) {
     const double rpm = self->modal.speed;
     const double v = lead * rpm / SECONDS;
-    nck_tap_t tap = {.lead = lead, .dwell = (float)dwell_s};
+    nck_tap_t tap = {.lead = lead};
     nck_pass_t pass;
     nck_ramp_t back;
     if (!NCK_HAS_THREADS) return NCK_E_UNSUPPORTED;
+    tap.dwell = (float)dwell_s;
     for (unsigned axis = 0; axis < 3; axis++) {
         tap.way[axis] = (double)(bottom_nm[axis] - self->place.position_nm[axis]) * 1e-6;
     }
