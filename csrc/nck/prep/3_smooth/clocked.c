@@ -141,7 +141,7 @@ static void take_piece(nck_clocked_t *self, nck_seg_t *seg) {
     set_points(self, &piece, seg);
     seg->length = nck_max(piece.s[1] - piece.s[0], LENGTH_LEAST);
     seg->stop = (piece.rests & 2) != 0;
-    seg->line = piece.line[0];
+    seg->line = piece.line;
     seg->block = piece.block;
     seg->rapid = piece.words.rapid;
     seg->feed = seg->rapid ? 0.0 : piece.words.feed;
@@ -159,7 +159,7 @@ static void rest_first(nck_clocked_t *self, nck_seg_t *seg) {
     seg->kind = NCK_SEG_DWELL;
     seg->stop = 1;
     seg->keeps = NCK_KEEP_REST;
-    seg->line = first->line[0];
+    seg->line = first->line;
     seg->block = first->block;
     seg->feed_scale = 1.0;
     seg->spin = words.spin;

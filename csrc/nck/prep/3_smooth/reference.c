@@ -19,7 +19,7 @@ static double coefficient_of(nck_stream_t *self, int knot) {
     self->near = nck_track_find(&self->track, self->near, s[0]);
     const nck_track_element_t *const element = nck_track_at(&self->track, self->near);
     const int is_inside = s[-4] >= element->s && s[4] <= element->s + element->length;
-    if (element->kind != NCK_SEG_LINE || !is_inside) return s[0];
+    if (element->plane || !is_inside) return s[0];
     return s[0] - (s[-4] - 2.0 * s[0] + s[4]) / 6.0;
 }
 
@@ -48,7 +48,7 @@ void nck_reference_follow(nck_stream_t *self, int i) {
     const double *const before = i < 2 ? self->clock.s : s - 2 * NCK_FAIR_BINS;
     const double *const behind = i + 3 > self->clock.knots ? s : s + 3 * NCK_FAIR_BINS;
     double at[4];
-    if (line->kind != NCK_SEG_LINE || *before < line->s || behind == s
+    if (line->plane || *before < line->s || behind == s
         || *behind > line->s + line->length) return;
     for (int k = 0; k < 4; k++) at[k] = place_along(self, line, self->point[i + k]);
     const double c[4] = {(at[0] + 4.0 * at[1] + at[2]) / 6.0, (at[2] - at[0]) / 2.0,

@@ -198,7 +198,7 @@ static void add_extremes(nck_stream_t *self, cubic_t *cubic, const bin_t *bin) {
 static void add_arc(nck_stream_t *self, cubic_t *cubic, const bin_t *bin, uint32_t n) {
     const nck_track_element_t *const element = nck_track_at(&self->track, n);
     nck_num point[NCK_AXIS_MAX];
-    if (element->kind != NCK_SEG_ARC || nck_fair_room(&self->work.fair) <= 0) return;
+    if (!element->plane || nck_fair_room(&self->work.fair) <= 0) return;
     const double begin = nck_max(bin->s[0], element->s);
     const double middle = 0.5 * (begin + nck_min(bin->s[1], element->s + element->length));
     nck_track_offset(&self->track, &cubic->from, n, middle, point);
@@ -277,9 +277,7 @@ static void set_stand(const nck_stream_t *self, cubic_t *cubic, uint32_t n, doub
         stand->bend[x] = 2 * cubic->of[x][2] + 6 * cubic->of[x][3] * stand->w;
     }
     stand->drift = 0;
-    if (nck_track_at(&self->track, n)->kind == NCK_SEG_ARC) {
-        set_arc_bend(self, n, s, rate, stand);
-    }
+    if (nck_track_at(&self->track, n)->plane) set_arc_bend(self, n, s, rate, stand);
 }
 
 static nck_num size_of(const nck_num *vector, int axes) {

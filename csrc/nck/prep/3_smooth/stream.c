@@ -112,7 +112,7 @@ static int is_moving(const nck_stream_t *self, int x) {
         const nck_track_element_t *const element = nck_track_at(track, n);
         if (element->s > end) break;
         if (element->start[x] != self->point[0][x]) return 1;
-        if (element->kind == NCK_SEG_ARC && x < 3) return 1;
+        if (element->plane && x < 3) return 1;
     }
     return 0;
 }
@@ -492,7 +492,7 @@ void nck_stream_take(nck_stream_t *self, nck_stream_piece_t *piece_out) {
     piece_out->s[1] = self->clock.s[4 * (i + 1)];
     self->near = nck_track_find(&self->track, self->near, piece_out->s[0]);
     const nck_track_element_t *const element = nck_track_at(&self->track, self->near);
-    memcpy(piece_out->line, element->line, sizeof piece_out->line);
+    piece_out->line = element->line;
     piece_out->block = element->block;
     const double x = 0.5 * (self->point[i + 1][NCK_AXIS_X] + self->point[i + 2][NCK_AXIS_X]);
     nck_track_words(&self->track, self->near, piece_out->s[1], x, &piece_out->words);

@@ -22,7 +22,7 @@ typedef struct nck_stream_wish {
 typedef struct nck_stream_piece {
     double point[4][NCK_AXIS_MAX]; // control points of the uniform B-spline [mm, deg]
     double s[2];       // of the program, at its begin and its end [path mm]
-    uint32_t line[2];  // first and last source line of what its begin is in
+    uint32_t line;     // the first source line of what its begin is in
     uint32_t block;    // the first block of it
     nck_track_words_t words; // of it
     uint8_t rests;     // bit 0: at its begin, bit 1: at its end
@@ -123,7 +123,7 @@ static inline uint32_t nck_stream_price(const nck_stream_t *self) {
     default: break;
     }
     const uint32_t near = self->phase == NCK_STREAM_GUESS ? self->clock.guess.near[0] : self->near;
-    const int turns = nck_track_at(&self->track, near)->kind == NCK_SEG_ARC;
+    const int turns = nck_track_at(&self->track, near)->plane != 0;
     return turns ? arc[self->phase] : line[self->phase];
 }
 

@@ -182,7 +182,7 @@ static nck_num wide_at(const nck_timing_t *self, const nck_track_t *track, uint3
     const nck_track_element_t *const element = nck_track_at(track, *near);
     const nck_num feed = (nck_num)nck_track_feed(track, *near, s);
     const nck_num v = nck_num_min(feed, terms->v_most);
-    if (element->kind != NCK_SEG_LINE || !(terms->longest > 1) || !(v > 0)) return 0;
+    if (element->plane || !(terms->longest > 1) || !(v > 0)) return 0;
     const nck_num way = (nck_num)(s - element->s);
     const nck_num length = (nck_num)element->length;
     const nck_num tau = (nck_num)terms->tau;

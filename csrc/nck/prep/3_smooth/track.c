@@ -4,6 +4,7 @@
 
 #include <string.h> // memcpy memset
 
+#include "nck/base/arc_math.h" // nck_plane_axis
 #include "nck/base/path.h" // nck_path_part nck_path_tangent_part
 #include "nck/base/real.h" // nck_fabs nck_max nck_min nck_sqrt
 #include "nck/base/spin_math.h" // nck_spin_…
@@ -112,8 +113,8 @@ static void set_way(const nck_track_t *self, nck_track_element_t *line, const do
 static void set_arc(nck_track_element_t *element, const nck_seg_arc_t *arc) {
     const nck_track_arc_t as_kept = {arc->centre_u, arc->centre_v, arc->sweep};
     element->shape.arc = as_kept;
-    element->axes[0] = arc->axis_u;
-    element->axes[1] = arc->axis_v;
+    element->plane = 17;
+    while (nck_plane_axis(element->plane, 0) != arc->axis_u) element->plane++;
 }
 
 // Join the line to the newest element. Returns 1, or 0: it cannot be.
@@ -131,7 +132,6 @@ static int join(nck_track_t *self, const nck_seg_t *seg, double tolerance) {
     line->length = length;
     set_way(self, line, seg->end);
     line->tolerance = (float)((1.0 - costs[level]) * tolerance);
-    line->line[1] = seg->line;
     memcpy(self->end, seg->end, sizeof self->end);
     return 1;
 }
@@ -161,12 +161,10 @@ nck_status_t nck_track_push(nck_track_t *self, const nck_seg_t *seg, double tole
     element->speed = seg->spin.speed;
     element->rapid = seg->rapid;
     element->words = (uint16_t)(self->words.head - 1);
-    element->kind = seg->kind;
     if (seg->kind == NCK_SEG_ARC) set_arc(element, &seg->shape.arc);
     else set_way(self, element, seg->end);
     element->tolerance = (float)tolerance;
-    element->line[0] = seg->line;
-    element->line[1] = seg->line;
+    element->line = seg->line;
     element->block = seg->block;
     memcpy(self->end, seg->end, sizeof self->end);
     self->grows = seg->kind == NCK_SEG_LINE && !seg->rapid;
@@ -212,17 +210,17 @@ const double *nck_track_end(const nck_track_t *self, uint32_t count) {
 void nck_track_seg(const nck_track_t *self, uint32_t count, nck_seg_t *seg_out) {
     const nck_track_element_t *const element = nck_track_at(self, count);
     memset(seg_out, 0, sizeof *seg_out);
-    seg_out->kind = element->kind;
+    seg_out->kind = element->plane ? NCK_SEG_ARC : NCK_SEG_LINE;
     seg_out->length = element->length;
     memcpy(seg_out->start, element->start, sizeof seg_out->start);
     memcpy(seg_out->end, nck_track_end(self, count), sizeof seg_out->end);
-    if (element->kind != NCK_SEG_ARC) return;
+    if (!element->plane) return;
     nck_seg_arc_t *const arc = &seg_out->shape.arc;
     arc->centre_u = element->shape.arc.centre_u;
     arc->centre_v = element->shape.arc.centre_v;
     arc->sweep = element->shape.arc.sweep;
-    arc->axis_u = element->axes[0];
-    arc->axis_v = element->axes[1];
+    arc->axis_u = (uint8_t)nck_plane_axis(element->plane, 0);
+    arc->axis_v = (uint8_t)nck_plane_axis(element->plane, 1);
 }
 
 // The point of an arc at f mm from its start; beyond it straight on.
@@ -239,7 +237,7 @@ static void arc_point(const nck_track_t *self, uint32_t count, double f, double 
 
 void nck_track_point(const nck_track_t *self, uint32_t count, double s, double *point_out) {
     const nck_track_element_t *const element = nck_track_at(self, count);
-    if (element->kind == NCK_SEG_ARC) {
+    if (element->plane) {
         arc_point(self, count, s - element->s, point_out);
         return;
     }
@@ -276,7 +274,7 @@ static const nck_track_seen_t *see(const nck_track_t *self, nck_track_view_t *fr
 void nck_track_offset(const nck_track_t *self, nck_track_view_t *from, uint32_t count, double s,
                       nck_num *offset_out) {
     const nck_track_element_t *const element = nck_track_at(self, count);
-    if (element->kind == NCK_SEG_ARC) {
+    if (element->plane) {
         double point[NCK_AXIS_MAX];
         arc_point(self, count, s - element->s, point);
         for (int x = 0; x < self->axes; x++) offset_out[x] = (nck_num)(point[x] - from->point[x]);
@@ -295,7 +293,7 @@ void nck_track_offset(const nck_track_t *self, nck_track_view_t *from, uint32_t 
 
 void nck_track_tangent(const nck_track_t *self, uint32_t count, double s, nck_num *tangent_out) {
     const nck_track_element_t *const element = nck_track_at(self, count);
-    if (element->kind != NCK_SEG_ARC) {
+    if (!element->plane) {
         for (int x = 0; x < self->axes; x++) {
             tangent_out[x] = element->shape.way[x] / (nck_num)element->length;
         }

@@ -50,12 +50,11 @@ typedef struct nck_track_element {
         nck_track_arc_t arc;       // of an arc
     } shape;
     float tolerance;  // what joining has left of P [mm]
-    uint32_t line[2]; // first and last source line
+    uint32_t line;    // the first source line
     uint32_t block;   // the first block
     uint16_t words;   // number of the set that it shares
-    uint8_t kind;     // NCK_SEG_LINE or NCK_SEG_ARC
+    uint8_t plane;    // 17, 18, 19: of an arc; 0: a line
     uint8_t rapid;    // 1: G0
-    uint8_t axes[2];  // of an arc's plane
 } nck_track_element_t;
 
 // The path: elements tail … head − 1 of a ring.
