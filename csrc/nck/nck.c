@@ -26,8 +26,7 @@ nck_status_t nck_init(nck_t *nck, const nck_machine_t *machine, const nck_hooks_
     if (!nck) return NCK_E_ARGUMENT;
     const nck_status_t status = nck_machine_check(machine);
     if (status != NCK_OK) return status;
-    memset(nck, 0, offsetof(nck_t, link)); // which is the largest part of it, and begins for itself
-    memset(&nck->interpolate, 0, sizeof *nck - offsetof(nck_t, interpolate));
+    memset(nck, 0, offsetof(nck_t, link)); // the last and large part of it, which begins for itself
     nck->machine = *machine;
     nck->command.feed_ppm = PPM;
     nck->command.rapid_ppm = PPM;

@@ -28,22 +28,14 @@ typedef enum nck_flush_state {
     NCK_FLUSH_AHEAD = 3   // look-ahead places what it held back
 } nck_flush_state_t;
 
-// The kernel. The order of the members is the order of the flow. They are its own:
+// The kernel. The order of the members is the order of the flow, behind what is asked for most: on
+// a microcontroller what is near the begin is reached by shorter code. They are its own:
 // functions tell what others need. Once initialised it must not move, for it points into itself.
 struct nck {
     nck_machine_t machine;
     nck_terms_t terms;
     nck_hooks_t hooks;
     nck_command_t command;
-    nck_decode_t decode;
-    nck_toolcomp_t toolcomp;
-    nck_smooth_t smooth;
-    nck_lookahead_t lookahead;
-    nck_travel_t travel;
-    nck_slope_t slope;
-    nck_link_t link;
-    nck_interpolate_t interpolate;
-    nck_transform_t transform;
     struct {
         nck_block_t block;      // on its way from 2_toolcomp to 3_smooth
         nck_command_t heard;    // by 5_slope in its last step; hold: 1 at soft limits, too
@@ -60,6 +52,15 @@ struct nck {
         nck_diagnostic_t diagnostic; // of a room behind 1_decode; code 0: none
         uint32_t steps;         // of nck_prep, 0 when it is done; any reads
     } wire;
+    nck_interpolate_t interpolate;
+    nck_transform_t transform;
+    nck_decode_t decode;
+    nck_toolcomp_t toolcomp;
+    nck_smooth_t smooth;
+    nck_lookahead_t lookahead;
+    nck_travel_t travel;
+    nck_slope_t slope;
+    nck_link_t link;
 };
 
 #ifdef __cplusplus

@@ -26,7 +26,7 @@ void nck_link_ask(nck_link_t *self) { nck_fence_store(&self->owner, NCK_LINK_ASK
 
 // What lies in the rings counts for nothing.
 void nck_link_renew(nck_link_t *self) {
-    memset(self, 0, offsetof(nck_link_t, cell));
+    memset(&self->word, 0, offsetof(nck_link_t, cell) - offsetof(nck_link_t, word));
     self->marks.head = 0;
     self->marks.tail = 0;
 }

@@ -63,6 +63,7 @@ typedef union nck_link_tail {
 
 // The link. Who writes a member stands behind it; the tick reads the rings, prep fills them.
 typedef struct nck_link {
+    uint32_t owner;       // nck_link_owner_t; both: prep asks and gives back, the tick yields
     uint32_t word;        // end << 3 | has tail << 2 | parity << 1 | entered; both, by exchange
     uint32_t seg_head;    // segs pushed; prep writes
     uint32_t output_head; // outputs pushed; prep writes
@@ -89,7 +90,6 @@ typedef struct nck_link {
     nck_seg_t seg[NCK_SEG_MAX];
     nck_output_t output[NCK_OUTPUT_MAX];
     nck_marks_t marks; // lines of the path; prep writes
-    uint32_t owner; // nck_link_owner_t; both: prep asks and gives back, the tick yields
 } nck_link_t;
 
 // Empty the link. Cost: constant. Context: any, before the tick runs.

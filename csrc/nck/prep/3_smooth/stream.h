@@ -74,8 +74,6 @@ typedef struct nck_stream {
     double miss;         // |r − p|/P at most, as far as it is proven
     double unit;         // P of the window [mm]
     uint32_t near;       // element where something was found last
-    nck_track_t track;
-    nck_timing_t clock;
     uint8_t halts;       // 1: what is given comes to rest
     double knot_s[3];    // of the program at the seam and the two knots behind it [path mm]
     double seam[3][NCK_AXIS_MAX];                 // control points given last
@@ -86,6 +84,8 @@ typedef struct nck_stream {
     int moving;          // axes that move in the window, of axis[]: those that `fair` has
     uint8_t axis[NCK_AXIS_MAX];
     nck_stream_told_t told;
+    nck_timing_t clock;
+    nck_track_t track;
     union {
         nck_timing_list_t list;
         nck_fair_t fair;
