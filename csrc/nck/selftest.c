@@ -21,6 +21,8 @@ enum {
     AXES = 3     // that every build has
 };
 
+#define COUNT(of) ((int)(sizeof(of) / sizeof *(of)))
+
 typedef struct selftest {
     uint64_t hash;
     uint32_t seed; // read through the fence, so that no compiler computes ahead what follows
@@ -28,10 +30,12 @@ typedef struct selftest {
 
 // FNV-1a over words of 64 bits (Fowler, Noll, Vo, Eastlake: The FNV Non-Cryptographic Hash
 // Algorithm, 2012), with its constants.
-static void take(selftest_t *self, double value) {
-    uint64_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    self->hash = (self->hash ^ bits) * 0x100000001b3u;
+static void take(selftest_t *self, const double *value, int count) {
+    for (int n = 0; n < count; n++) {
+        uint64_t bits;
+        memcpy(&bits, &value[n], sizeof bits);
+        self->hash = (self->hash ^ bits) * 0x100000001b3u;
+    }
 }
 
 // 32 bits of a linear congruential generator (D. E. Knuth, The Art of Computer Programming, volume
@@ -53,54 +57,39 @@ static void take_arithmetic(selftest_t *self) {
     const double a = draw(self);
     const double b = draw(self);
     const double c = draw(self);
-    take(self, a * b - c);
-    take(self, a * b + c * c);
-    take(self, (a + b) - a);
-    take(self, a / c);
-    take(self, b / c);
-    take(self, a * 3.0 / 7.0);
-    take(self, ((a + b) + c) + a);
-    take(self, nck_sqrt(a));
-    take(self, 1.0 / nck_sqrt(b));
-    take(self, nck_floor(a * 1e6 + 0.5));
+    const double found[] = {a * b - c, a * b + c * c, (a + b) - a, a / c, b / c, a * 3.0 / 7.0,
+                            ((a + b) + c) + a, nck_sqrt(a), 1.0 / nck_sqrt(b),
+                            nck_floor(a * 1e6 + 0.5)};
+    take(self, found, COUNT(found));
 }
 
 // Numbers below 2⁻¹⁰²² are not flushed to 0.
 static void take_small(selftest_t *self) {
     const double tiny = draw(self) * DBL_MIN;
     const double below = tiny / 1024.0;
-    take(self, below);
-    take(self, below * 1024.0);
+    const double found[] = {below, below * 1024.0};
+    take(self, found, COUNT(found));
 }
 
 static void take_trig(selftest_t *self) {
     double s, c;
     nck_sincos(100.0 * draw(self), &s, &c);
-    take(self, s);
-    take(self, c);
     const double y = draw(self);
     const double x = draw(self);
-    take(self, nck_atan2(y, x));
-    take(self, nck_atan2(-y, 1e-3 * x));
-    take(self, nck_root_cube(1e3 * draw(self)));
-}
-
-static void take_point(selftest_t *self, const double *point) {
-    for (int x = 0; x < AXES; x++) take(self, point[x]);
+    const double found[] = {s, c, nck_atan2(y, x), nck_atan2(-y, 1e-3 * x),
+                            nck_root_cube(1e3 * draw(self))};
+    take(self, found, COUNT(found));
 }
 
 // A point of the seg, and what it turns by there.
 static void take_path(selftest_t *self, const nck_seg_t *seg) {
-    double p[AXES];
+    double found[4 * AXES];
     const double s = 0.4 * draw(self) * seg->length;
-    nck_path_part(seg, s, AXES, p);
-    take_point(self, p);
-    nck_path_tangent_part(seg, s, AXES, p);
-    take_point(self, p);
-    nck_path_second_part(seg, s, AXES, p);
-    take_point(self, p);
-    nck_path_third_part(seg, s, AXES, p);
-    take_point(self, p);
+    nck_path_part(seg, s, AXES, found);
+    nck_path_tangent_part(seg, s, AXES, found + AXES);
+    nck_path_second_part(seg, s, AXES, found + 2 * AXES);
+    nck_path_third_part(seg, s, AXES, found + 3 * AXES);
+    take(self, found, COUNT(found));
 }
 
 static void take_arc(selftest_t *self, nck_seg_t *seg) {
@@ -138,13 +127,16 @@ static void take_slope(selftest_t *self) {
     const nck_hull_cell_t cell = {0.02 * way, a, j, 0.01};
     const nck_ladder_piece_t piece = {0.1 * v, 0.1 * way, 1e4, a, j};
     const double gain = nck_envelope_h(a, way);
-    take(self, nck_envelope_backward(1e9, v * v, gain));
-    take(self, nck_scurve_reach(&ramp, v, way));
-    take(self, nck_scurve_over(&ramp, v, way));
-    take(self, nck_hull_rise(&cell, v, 100.0 * draw(self), 200.0));
-    take(self, nck_ladder_step(&piece, way, draw(self), 1e-3));
-    take(self, nck_limit_chord(v, 1e-3 * draw(self), 1e-3));
-    take(self, nck_corner_speed(0.5, load, 0.1 * load, load * v, a, 1e-3));
+    const double rise = 100.0 * draw(self);
+    const double step = draw(self);
+    const double chord = 1e-3 * draw(self);
+    const double found[] = {nck_envelope_backward(1e9, v * v, gain),
+                            nck_scurve_reach(&ramp, v, way), nck_scurve_over(&ramp, v, way),
+                            nck_hull_rise(&cell, v, rise, 200.0),
+                            nck_ladder_step(&piece, way, step, 1e-3),
+                            nck_limit_chord(v, chord, 1e-3),
+                            nck_corner_speed(0.5, load, 0.1 * load, load * v, a, 1e-3)};
+    take(self, found, COUNT(found));
 }
 
 uint32_t nck_selftest(void) {
