@@ -7,7 +7,7 @@
 
 #include "nck/base/in_force.h"        // nck_force_t
 #include "nck/base/link_invariants.h" // nck_link_invariants
-#include "nck/base/real.h"            // nck_larger nck_rounded
+#include "nck/base/real.h"            // nck_larger nck_rounded nck_real_of
 
 enum { PRICE_LEAST = 40 }; // of any room's step, in hundreds of instructions
 
@@ -139,7 +139,8 @@ nck_status_t nck_set_limits(nck_t *nck, const nck_machine_t *machine) {
 nck_status_t nck_set_travel(nck_t *nck, uint32_t axis, int64_t least_nm, int64_t most_nm) {
     if (axis >= NCK_AXIS_MAX || least_nm > most_nm) return NCK_E_ARGUMENT;
     const double counts = nck_machine_counts(&nck->machine, (int)axis);
-    nck_travel_set(&nck->travel, (int)axis, (double)least_nm / counts, (double)most_nm / counts);
+    nck_travel_set(&nck->travel, (int)axis, nck_real_of(least_nm) / counts,
+                   nck_real_of(most_nm) / counts);
     return NCK_OK;
 }
 
@@ -221,7 +222,7 @@ static int is_all_done(const nck_t *nck) {
 static int is_place(const nck_machine_t *machine, int x, int64_t at_nm) {
     const double counts = nck_machine_counts(machine, x);
     const double most = machine->axis[x].rotary ? NCK_ROTARY_MAX_DEG : NCK_LINEAR_MAX_MM;
-    return (double)at_nm >= -most * counts && (double)at_nm <= most * counts;
+    return nck_real_of(at_nm) >= -most * counts && nck_real_of(at_nm) <= most * counts;
 }
 
 nck_status_t nck_set_position(nck_t *nck, const int64_t *position_nm) {

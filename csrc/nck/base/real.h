@@ -61,6 +61,20 @@ typedef int64_t nck_int64;
 #define NCK_NUM_ABS(x) \
     (sizeof(nck_num) == 4 ? (nck_num)fabsf((float)(x)) : (nck_num)fabs((double)(x)))
 
+// What many call and is longer than its call: a compiler for size takes it for shorter.
+#define NCK_APART __attribute__((noinline))
+
+// A whole number as a real one. A processor with doubles in hardware has no instruction for it:
+// each half is exact, so their sum rounds as the whole would, and no soft double is
+// linked.
+#if defined(__ARM_FP) && (__ARM_FP & 8)
+static NCK_APART __attribute__((unused)) double nck_real_of(int64_t n) {
+    return (double)(int32_t)((uint64_t)n >> 32) * 4294967296.0 + (double)(uint32_t)n;
+}
+#else
+static inline double nck_real_of(int64_t n) { return (double)n; }
+#endif
+
 // The whole number next to x, of two the larger one.
 static inline int64_t nck_rounded(double x) { return (int64_t)nck_floor(x + 0.5); }
 
@@ -68,7 +82,7 @@ static inline int64_t nck_rounded(double x) { return (int64_t)nck_floor(x + 0.5)
 static inline int64_t nck_nm_of(double mm) { return nck_rounded(mm * 1e6); }
 
 // Nanometres in millimetres.
-static inline double nck_mm_of(int64_t nm) { return (double)nm / 1e6; }
+static inline double nck_mm_of(int64_t nm) { return nck_real_of(nm) / 1e6; }
 
 // Is a value in a range? NaN is in none.
 static inline int nck_within(double value, double low, double high) {

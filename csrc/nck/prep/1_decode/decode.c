@@ -12,7 +12,7 @@
 #include "nck/prep/1_decode/cycle/cycle.h" // nck_decode_cycle
 #include "nck/prep/1_decode/line/line.h" // nck_decode_block_good nck_decode_excuse …
 
-#include <string.h> // memchr memcmp memcpy memmove memset
+#include <string.h> // memchr memcmp memcpy memset
 
 enum { FOREIGN_LINES = 100 }; // a foreign language shows itself at the beginning
 
@@ -394,10 +394,13 @@ nck_status_t nck_decode_pull(nck_decode_t *self, nck_block_t *block_out) {
 
 nck_status_t nck_decode_diagnostic(nck_decode_t *self, nck_diagnostic_t *diagnostic_out) {
     if (self->finding.count == 0) return NCK_EMPTY;
-    *diagnostic_out = self->finding.queue[0];
     self->finding.count--;
-    memmove(self->finding.queue, self->finding.queue + 1,
-            self->finding.count * sizeof self->finding.queue[0]);
+    *diagnostic_out = self->finding.queue[self->finding.count];
+    for (uint32_t k = self->finding.count; k-- > 0;) { // each takes the place before it
+        const nck_diagnostic_t behind = *diagnostic_out;
+        *diagnostic_out = self->finding.queue[k];
+        self->finding.queue[k] = behind;
+    }
     return NCK_OK;
 }
 

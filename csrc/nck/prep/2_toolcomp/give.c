@@ -5,7 +5,7 @@
 #include <string.h> // memcpy
 
 #include "nck/base/arc_math.h" // nck_arc_…
-#include "nck/base/real.h"     // nck_floor nck_rounded
+#include "nck/base/real.h"     // nck_floor nck_rounded nck_real_of
 
 #define PER_MINUTE 60.0 // seconds
 
@@ -20,7 +20,8 @@ static nck_status_t check_place(nck_toolcomp_t *self, const nck_block_t *block, 
     if (roams || (at_nm >= travel->min_nm && at_nm <= travel->max_nm)) return NCK_OK;
     const int64_t limit_nm = at_nm < travel->min_nm ? travel->min_nm : travel->max_nm;
     const nck_status_t status = nck_comp_fail(self, NCK_E_TRAVEL, block->line,
-                                              (double)at_nm * 1e-6, (double)limit_nm * 1e-6);
+                                              nck_real_of(at_nm) * 1e-6,
+                                              nck_real_of(limit_nm) * 1e-6);
     self->error.letter = 'X' + (int)axis;
     return status;
 }
@@ -52,8 +53,8 @@ static nck_status_t bend(nck_toolcomp_t *self, const nck_shape_t *shape, nck_blo
     double to[2];
     for (unsigned k = 0; k < 2; k++) {
         const int64_t given_nm = self->given_nm[self->axis[k]];
-        from[k] = (double)given_nm * 1e-6;
-        d[k] = (double)(out->target_nm[self->axis[k]] - given_nm) * 1e-6;
+        from[k] = nck_real_of(given_nm) * 1e-6;
+        d[k] = nck_real_of(out->target_nm[self->axis[k]] - given_nm) * 1e-6;
         c[k] = shape->c[k] + self->nose[k] - from[k];
     }
     const double length = nck_arc_norm(d[0], d[1]);
@@ -86,7 +87,7 @@ static void share_others(const nck_toolcomp_t *self, const nck_block_t *block, d
                          nck_block_t *out) {
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
         const int64_t given_nm = self->given_nm[axis];
-        const double way = (double)(block->target_nm[axis] - given_nm) * share;
+        const double way = nck_real_of(block->target_nm[axis] - given_nm) * share;
         out->target_nm[axis] = given_nm + nck_rounded(way);
     }
 }

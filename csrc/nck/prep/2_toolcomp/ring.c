@@ -2,6 +2,8 @@
 // The ring of blocks that wait, and the path through them.
 #include "nck/prep/2_toolcomp/parts.h"
 
+#include "nck/base/real.h" // NCK_APART
+
 nck_comp_entry_t *nck_comp_at(nck_toolcomp_t *self, uint32_t count) {
     return &self->ring.at[count & (NCK_COMP_ROWS - 1)];
 }
@@ -16,8 +18,8 @@ void nck_comp_off(nck_toolcomp_t *self) {
     self->ring.tail = self->ring.head;
 }
 
-nck_status_t nck_comp_fail(nck_toolcomp_t *self, nck_status_t code, uint32_t line, double value,
-                           double limit) {
+NCK_APART nck_status_t nck_comp_fail(nck_toolcomp_t *self, nck_status_t code, uint32_t line,
+                                     double value, double limit) {
     self->error = (nck_diagnostic_t){code, line, 0, 0, value, limit};
     self->last.from = self->ring.head;
     nck_comp_off(self);

@@ -125,11 +125,11 @@ static void set_points(nck_clocked_t *self, const nck_stream_piece_t *piece, nck
         seg->shape.inner[1][x] = (c[1][x] + 2.0 * c[2][x]) / 3.0;
         if (!ends) seg->end[x] = (c[1][x] + 4.0 * c[2][x] + c[3][x]) / 6.0;
     }
-    for (int x = self->stream.track.axes; x < NCK_AXIS_MAX; x++) {
-        seg->shape.inner[0][x] = seg->start[x];
-        seg->shape.inner[1][x] = seg->start[x];
-        seg->end[x] = seg->start[x];
-    }
+    const int axes = self->stream.track.axes;
+    const size_t rest = (size_t)(NCK_AXIS_MAX - axes) * sizeof seg->start[0];
+    memcpy(&seg->shape.inner[0][axes], &seg->start[axes], rest);
+    memcpy(&seg->shape.inner[1][axes], &seg->start[axes], rest);
+    memcpy(&seg->end[axes], &seg->start[axes], rest);
     memcpy(self->position, seg->end, sizeof self->position);
 }
 

@@ -11,6 +11,7 @@
 #include "nck/prep/3_smooth/divide.h"      // nck_divide_…
 #include "nck/prep/3_smooth/metric_math.h" // nck_metric_of
 #include "nck/prep/3_smooth/runs.h"        // nck_runs_…
+#include "nck/base/real.h" // nck_real_of
 
 #define ROUNDING 2e-6 // [mm] kept of the tolerance: setpoints are whole nanometres
 
@@ -21,7 +22,7 @@ void nck_smooth_init(nck_smooth_t *self, const nck_terms_t *terms) {
     self->terms = terms;
     memcpy(self->position_nm, machine->start_nm, sizeof self->position_nm);
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        self->position[x] = (double)machine->start_nm[x] / nck_machine_counts(machine, x);
+        self->position[x] = nck_real_of(machine->start_nm[x]) / nck_machine_counts(machine, x);
     }
     self->rests = 1;
 }
@@ -40,7 +41,7 @@ static inline void set_end(const nck_smooth_t *self, const nck_block_t *block, d
     const int axes = self->terms->axes;
     for (int x = 0; x < axes; x++) {
         if (block->target_nm[x] == self->position_nm[x]) continue;
-        end[x] = (double)block->target_nm[x] / nck_machine_counts(machine, x);
+        end[x] = nck_real_of(block->target_nm[x]) / nck_machine_counts(machine, x);
     }
 }
 

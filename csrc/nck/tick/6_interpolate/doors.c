@@ -6,7 +6,7 @@
 
 #include "nck/base/cell_math.h" // nck_cell_speed
 #include "nck/base/fence.h"     // nck_fence_load nck_fence_store
-#include "nck/base/real.h"      // nck_floor
+#include "nck/base/real.h"      // nck_floor nck_real_of
 
 int nck_interpolate_stands(const nck_interpolate_t *self) {
     return nck_fence_load(&self->stands) != 0;
@@ -107,7 +107,7 @@ int nck_interpolate_invariants(const nck_interpolate_t *self) {
 // The speed that the cells have and what they gain in a period, which the filter shows later.
 static void see_ahead(const nck_interpolate_t *self, nck_watched_t *seen) {
     const nck_cell_t *const cell = &self->cell;
-    const double now = (double)self->k * self->machine->period_s - self->clock.late;
+    const double now = nck_real_of((int64_t)self->k) * self->machine->period_s - self->clock.late;
     seen->ahead_v = self->pose.v;
     seen->ahead_gain = self->pose.v - self->watch.v;
     if (self->clock.state != NCK_CLOCK_RUNS || !self->has_cell) return;

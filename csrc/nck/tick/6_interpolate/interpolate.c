@@ -9,7 +9,7 @@
 #include "nck/base/cell_math.h" // nck_cell_way
 #include "nck/base/fence.h"     // nck_fence_load nck_fence_store
 #include "nck/base/path_math.h" // nck_path_point
-#include "nck/base/real.h"      // nck_floor
+#include "nck/base/real.h"      // nck_floor nck_real_of
 #include "nck/base/spin_math.h" // nck_spin_rpm
 #include "nck/tick/6_interpolate/ease.h" // nck_ease_begin
 
@@ -22,7 +22,7 @@ static void settle_on_counts(nck_interpolate_t *self) {
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const double counts = nck_machine_counts(self->machine, x);
         const double at = nck_floor(self->pose.axis[x] * counts + 0.5);
-        self->pose.axis[x] = (told ? (double)self->machine->start_nm[x] : at) / counts;
+        self->pose.axis[x] = (told ? nck_real_of(self->machine->start_nm[x]) : at) / counts;
     }
     self->told += self->told & 1u;
 }
@@ -120,7 +120,7 @@ static void begin_to_count(nck_interpolate_t *self) {
 
 // The path's time: that of the periods, less what the clock is late.
 static inline double now(const nck_interpolate_t *self) {
-    return (double)self->k * self->machine->period_s - self->clock.late;
+    return nck_real_of((int64_t)self->k) * self->machine->period_s - self->clock.late;
 }
 
 // Come to rest at the end of the cell: the count of periods begins anew.

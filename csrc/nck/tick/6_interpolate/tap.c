@@ -5,7 +5,7 @@
 #include <string.h> // memcpy
 
 #include "nck/base/fence.h" // nck_fence_load nck_fence_store
-#include "nck/base/real.h"  // nck_fabs nck_max nck_min
+#include "nck/base/real.h"  // nck_fabs nck_max nck_min nck_real_of
 #include "nck/tick/6_interpolate/follow.h" // nck_follow …
 
 #define SECONDS 60.0
@@ -23,7 +23,7 @@ static double way_most(const nck_pass_t *pass, const nck_machine_t *machine, con
         const nck_axis_t *const axis = &machine->axis[x];
         const double way = pass->way[x];
         const double counts = nck_machine_counts(machine, x);
-        const double limit = (double)(way < 0.0 ? axis->min_nm : axis->max_nm) / counts;
+        const double limit = nck_real_of(way < 0.0 ? axis->min_nm : axis->max_nm) / counts;
         if (way != 0.0) most = nck_min(most, (limit - start[x]) / way);
     }
     return nck_max(most, pass->length);

@@ -4,6 +4,7 @@
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail_missing nck_decode_fail_word
 #include "nck/prep/1_decode/number/number.h" // nck_decode_as_word nck_decode_travel …
 #include "nck/prep/1_decode/tongue/tongue.h" // nck_lathe_is_a
+#include "nck/base/real.h" // nck_real_of
 
 nck_status_t nck_cycle_missing(nck_decode_t *self, int letter) {
     self->modal.motion = NCK_MOTION_REFUSED;
@@ -66,9 +67,9 @@ nck_status_t nck_cycle_heights(nck_decode_t *self) {
     // R lies on the wrong side of the bottom.
     if (cuts_up(self) ? r_nm > bottom_nm : r_nm < bottom_nm) {
         const nck_scale_t *const scale = nck_decode_scale_of(self, cycle->drill);
-        const double most_nm = (double)(bottom_nm - (r_nm - cycle->r_nm));
+        const double most_nm = nck_real_of(bottom_nm - (r_nm - cycle->r_nm));
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'R',
-                                    nck_decode_as_word(scale, (double)cycle->r_nm),
+                                    nck_decode_as_word(scale, nck_real_of(cycle->r_nm)),
                                     nck_decode_as_word(scale, most_nm));
     }
     cycle->level_nm[NCK_LEVEL_R] = r_nm + origin_nm;

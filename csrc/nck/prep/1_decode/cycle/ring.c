@@ -9,6 +9,7 @@
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail_step nck_decode_fail_word …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_length_word nck_decode_travel …
 #include "nck/base/trig_math.h" // nck_sincos NCK_PI
+#include "nck/base/real.h" // nck_real_of
 
 #include <string.h> // memcpy
 
@@ -76,8 +77,8 @@ static void put_hole(nck_decode_t *self, uint32_t k) {
     const double whole = 360.0 * nck_floor(degrees / 360.0);
     double sine, cosine;
     nck_sincos((degrees - whole) * NCK_PI / 180.0, &sine, &cosine);
-    cycle->hole_nm[0] = cycle->step_nm[0] + nck_rounded((double)cycle->ring_nm * cosine);
-    cycle->hole_nm[1] = cycle->step_nm[1] + nck_rounded((double)cycle->ring_nm * sine);
+    cycle->hole_nm[0] = cycle->step_nm[0] + nck_rounded(nck_real_of(cycle->ring_nm) * cosine);
+    cycle->hole_nm[1] = cycle->step_nm[1] + nck_rounded(nck_real_of(cycle->ring_nm) * sine);
 }
 
 nck_status_t nck_ring_place(nck_decode_t *self, int64_t count, int64_t *last_nm) {

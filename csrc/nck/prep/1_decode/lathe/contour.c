@@ -9,7 +9,7 @@
 #include "nck/prep/1_decode/macro/macro.h" // nck_call_return
 #include "nck/prep/1_decode/motion/motion.h" // nck_corner_missing
 #include "nck/base/arc_math.h" // nck_arc_inner nck_arc_norm nck_arc_outer
-#include "nck/base/real.h" // nck_fabs nck_nm_of
+#include "nck/base/real.h" // nck_fabs nck_nm_of nck_real_of nck_mm_of
 #include "nck/base/trig.h" // nck_atan2 nck_sincos
 
 #include <stddef.h> // NULL
@@ -149,8 +149,8 @@ static void turn_frame(nck_decode_t *self, const nck_element_t *element) {
     const int64_t *const start_nm = contour->start_nm;
     const int64_t depth_nm = element->to_nm[deep] - start_nm[axes[deep]];
     const int64_t way_nm = element->to_nm[along] - contour->element[0].to_nm[along];
-    if (rough->sign[1] == 0 && depth_nm != 0) rough->sign[1] = sign_of((double)-depth_nm);
-    if (rough->sign[0] == 0 && way_nm != 0) rough->sign[0] = sign_of((double)way_nm);
+    if (rough->sign[1] == 0 && depth_nm != 0) rough->sign[1] = sign_of(nck_real_of(-depth_nm));
+    if (rough->sign[0] == 0 && way_nm != 0) rough->sign[0] = sign_of(nck_real_of(way_nm));
 }
 
 // A contour that is roughed goes one way along the cuts; Fanuc's type I against the depth, too.
@@ -180,12 +180,12 @@ static nck_status_t round_corner(nck_decode_t *self) {
     nck_contour_t *const contour = &self->held.contour;
     nck_element_t *const last = &contour->element[contour->count - 1];
     nck_element_t *const before = last - 1;
-    const double size = (double)contour->corner_nm / 1e6, radius = nck_fabs(size);
+    const double size = nck_real_of(contour->corner_nm) / 1e6, radius = nck_fabs(size);
     const int letter = size > 0.0 ? 'A' : 'C';
     double u[2], v[2];
     for (unsigned k = 0; k < 2; k++) { // Z first: as G18 turns
-        u[k] = (double)(before->to_nm[1 - k] - before[-1].to_nm[1 - k]) / 1e6;
-        v[k] = (double)(last->to_nm[1 - k] - before->to_nm[1 - k]) / 1e6;
+        u[k] = nck_real_of(before->to_nm[1 - k] - before[-1].to_nm[1 - k]) / 1e6;
+        v[k] = nck_real_of(last->to_nm[1 - k] - before->to_nm[1 - k]) / 1e6;
     }
     const double before_mm = nck_arc_norm(u[0], u[1]), last_mm = nck_arc_norm(v[0], v[1]);
     const double turn = nck_atan2(nck_arc_outer(u, v), nck_arc_inner(u, v));
@@ -204,7 +204,7 @@ static nck_status_t round_corner(nck_decode_t *self) {
         before->to_nm[k] = corner_nm - nck_nm_of(back);
         last->to_nm[k] = corner_nm + nck_nm_of(on);
         const double left = k == 0 ? u[0] : -u[1]; // of the way, along this axis
-        last->centre_mm[k] = (double)before->to_nm[k] / 1e6
+        last->centre_mm[k] = nck_real_of(before->to_nm[k]) / 1e6
                              + (turn > 0.0 ? radius : -radius) * left / before_mm;
     }
     last->sweep_rad = size > 0.0 ? turn : 0.0;
@@ -244,8 +244,8 @@ nck_status_t nck_contour_take(nck_decode_t *self, const nck_block_t *block) {
     element->to_nm[0] = block->target_nm[NCK_AXIS_X] + self->place.tool_nm[NCK_AXIS_X];
     element->to_nm[1] = block->target_nm[NCK_AXIS_Z] + self->place.tool_nm[NCK_AXIS_Z];
     element->sweep_rad = arc ? block->sweep_rad : 0.0;
-    element->centre_mm[0] = block->centre_mm[1] + (double)self->place.tool_nm[NCK_AXIS_X] / 1e6;
-    element->centre_mm[1] = block->centre_mm[0] + (double)self->place.tool_nm[NCK_AXIS_Z] / 1e6;
+    element->centre_mm[0] = block->centre_mm[1] + nck_mm_of(self->place.tool_nm[NCK_AXIS_X]);
+    element->centre_mm[1] = block->centre_mm[0] + nck_mm_of(self->place.tool_nm[NCK_AXIS_Z]);
     contour->count++;
     return close_element(self);
 }

@@ -7,6 +7,7 @@
 #include "nck/prep/1_decode/place/place.h" // nck_decode_target
 #include "nck/prep/1_decode/macro/macro.h" // nck_call nck_decode_fail_last nck_frame_call …
 #include "nck/prep/1_decode/motion/motion.h" // nck_decode_cutting_feed nck_decode_cycle_fits
+#include "nck/base/real.h" // nck_real_of
 
 #include <stddef.h> // NULL
 #include <string.h> // memcpy
@@ -102,8 +103,8 @@ static nck_status_t read_levels(nck_decode_t *self) {
     const nck_status_t status = read_length(self, 'D', 1, &depth_nm);
     if (status != NCK_OK) return status;
     if (depth_nm <= 0) return fail_missing(self, code_of(self) == NCK_MOTION_ROUGH ? 'U' : 'W');
-    rough->depth = (double)depth_nm / 1e6;
-    rough->retract = (double)rough->retract_nm / 1e6;
+    rough->depth = nck_real_of(depth_nm) / 1e6;
+    rough->retract = nck_real_of(rough->retract_nm) / 1e6;
     rough->is_first = 1;
     rough->is_pocket = 1;
     rough->passes = 1;
@@ -161,8 +162,8 @@ static nck_status_t read_numbers(nck_decode_t *self) {
     int64_t u_nm = 0, w_nm = 0;
     status = read_length(self, 'U', any_nm, &u_nm);
     if (status == NCK_OK) status = read_length(self, 'W', any_nm, &w_nm);
-    rough->shift_mm[0] = (double)u_nm / (self->modal.diameter ? 2e6 : 1e6);
-    rough->shift_mm[1] = (double)w_nm / 1e6;
+    rough->shift_mm[0] = nck_real_of(u_nm) / (self->modal.diameter ? 2e6 : 1e6);
+    rough->shift_mm[1] = nck_real_of(w_nm) / 1e6;
     rough->spare = 0.0;
     rough->spare_step = 0.0;
     if (status == NCK_OK) {
@@ -187,8 +188,8 @@ static nck_status_t read_distance(nck_decode_t *self) {
     if (status != NCK_OK) return status;
     if (passes < 1) return nck_decode_fail_range(self, 'P', 1.0);
     rough->passes = (uint32_t)passes;
-    rough->spare = (double)from_nm / 1e6;
-    rough->spare_step = finishes ? (double)(to_nm - from_nm) / 1e6 / (double)passes : 0.0;
+    rough->spare = nck_real_of(from_nm) / 1e6;
+    rough->spare_step = finishes ? nck_real_of(to_nm - from_nm) / 1e6 / (double)passes : 0.0;
     if (finishes) rough->spare += rough->spare_step;
     rough->shift_mm[0] = 0.0;
     rough->shift_mm[1] = 0.0;
@@ -203,8 +204,8 @@ static nck_status_t read_cuts(nck_decode_t *self) {
     if (self->modal.inch && !nck_has_word(self, 'I')) return fail_missing(self, 'I');
     nck_status_t status = read_length(self, 'I', 1, &depth_nm);
     if (status == NCK_OK) status = read_length(self, 'R', 0, &retract_nm);
-    rough->depth = (double)depth_nm / 1e6;
-    rough->retract = (double)retract_nm / 1e6;
+    rough->depth = nck_real_of(depth_nm) / 1e6;
+    rough->retract = nck_real_of(retract_nm) / 1e6;
     rough->is_first = code % 10 != 2;
     rough->is_pocket = code % 10 != 1;
     return status;

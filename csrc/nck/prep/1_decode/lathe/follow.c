@@ -7,7 +7,7 @@
 #include "nck/prep/1_decode/state/state.h" // nck_decode_block
 #include "nck/prep/1_decode/motion/motion.h" // nck_decode_give_exact nck_decode_give_within
 #include "nck/base/arc_math.h" // nck_arc_inner nck_arc_outer
-#include "nck/base/real.h" // nck_nm_of
+#include "nck/base/real.h" // nck_nm_of nck_real_of
 #include "nck/base/trig.h" // nck_atan2
 
 static const double tiny = 5e-7; // [mm]
@@ -22,7 +22,7 @@ void nck_follow_place(const nck_decode_t *self, double *out) {
         const unsigned axis = k == 0 ? rough->along : 1u - rough->along;
         const int64_t way_nm = self->place.position_nm[along_of[axis]]
                                - self->held.contour.start_nm[along_of[axis]];
-        out[k] = (double)rough->sign[k] * (double)way_nm / 1e6;
+        out[k] = (double)rough->sign[k] * nck_real_of(way_nm) / 1e6;
     }
 }
 
@@ -138,7 +138,7 @@ static nck_status_t give_element(nck_decode_t *self, uint32_t k, nck_block_t *ou
     }
     const nck_status_t status = give(self, NCK_BLOCK_ARC, to_nm, out);
     for (unsigned axis = 0; axis < 2; axis++) {
-        const double tool_mm = (double)self->place.tool_nm[along_of[axis]] / 1e6;
+        const double tool_mm = nck_real_of(self->place.tool_nm[along_of[axis]]) / 1e6;
         const double shift_mm = (double)nck_nm_of(rough->shift_mm[axis]) / 1e6;
         out->centre_mm[1 - axis] = element->centre_mm[axis] + shift_mm - tool_mm;
     }
@@ -164,7 +164,7 @@ static nck_status_t give_slant(nck_decode_t *self, const nck_slant_t *slant, nck
     for (unsigned axis = 0; axis < 2; axis++) {
         const int64_t zero_nm = self->held.contour.start_nm[along_of[axis]]
                                 - self->place.tool_nm[along_of[axis]];
-        out->centre_mm[1 - axis] = (double)zero_nm / 1e6 + centre[axis];
+        out->centre_mm[1 - axis] = nck_real_of(zero_nm) / 1e6 + centre[axis];
     }
     out->sweep_rad = nck_level_turn(self, 1.0) * sweep;
     out->plane = 18;
@@ -254,7 +254,7 @@ static nck_status_t shift(nck_decode_t *self, nck_block_t *out) {
     const double left = (double)(rough->passes - 1 - rough->pass) / (double)(rough->passes - 1);
     int64_t to_nm[2];
     for (unsigned k = 0; k < 2; k++) {
-        const double way_mm = left * (double)rough->pattern_nm[k] / 1e6;
+        const double way_mm = left * nck_real_of(rough->pattern_nm[k]) / 1e6;
         rough->shift_mm[k] = rough->spare_mm[k] + way_mm;
         to_nm[k] = self->held.contour.start_nm[along_of[k]] + nck_nm_of(rough->shift_mm[k]);
     }

@@ -21,7 +21,7 @@ static void place_of(const nck_decode_t *self, const int64_t *at_nm, double *out
     for (unsigned k = 0; k < 2; k++) {
         const unsigned axis = k == 0 ? rough->along : 1u - rough->along;
         const int64_t way_nm = at_nm[axis] - self->held.contour.start_nm[axes[axis]];
-        out[k] = (double)rough->sign[k] * ((double)way_nm / 1e6 + rough->shift_mm[axis]);
+        out[k] = (double)rough->sign[k] * (nck_real_of(way_nm) / 1e6 + rough->shift_mm[axis]);
     }
 }
 
@@ -31,7 +31,7 @@ static void centre_of(const nck_decode_t *self, const nck_element_t *element, do
     const nck_rough_t *const rough = &self->held.rough;
     for (unsigned k = 0; k < 2; k++) {
         const unsigned axis = k == 0 ? rough->along : 1u - rough->along;
-        const double start_mm = (double)self->held.contour.start_nm[axes[axis]] / 1e6;
+        const double start_mm = nck_real_of(self->held.contour.start_nm[axes[axis]]) / 1e6;
         out[k] = (double)rough->sign[k]
                  * (element->centre_mm[axis] - start_mm + rough->shift_mm[axis]);
     }

@@ -77,7 +77,7 @@ static nck_status_t set_levels(nck_decode_t *self) {
     if (count > (double)LEVELS_MOST) {
         // The depth is too small: its letter is U or W of a line before, D, or RS274NGC's I.
         const nck_scale_t *const scale = &self->place.scale[0];
-        const int before = (double)rough->depth_nm / 1e6 == rough->depth;
+        const int before = nck_real_of(rough->depth_nm) / 1e6 == rough->depth;
         const int deep = self->held.contour.code == NCK_MOTION_ROUGH ? 'U' : 'W';
         const int fanuc = before ? deep : 'D';
         const double least = -rough->bottom / (double)LEVELS_MOST;
@@ -107,7 +107,7 @@ static nck_status_t survey_patterns(nck_decode_t *self) {
     nck_status_t status = survey(self);
     for (unsigned k = 0; k < 2; k++) {
         rough->spare_mm[k] = rough->shift_mm[k];
-        rough->shift_mm[k] += (double)rough->pattern_nm[k] / 1e6;
+        rough->shift_mm[k] += nck_real_of(rough->pattern_nm[k]) / 1e6;
     }
     return status == NCK_OK ? survey(self) : status;
 }

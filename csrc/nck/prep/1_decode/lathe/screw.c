@@ -11,7 +11,7 @@
 #include "nck/prep/1_decode/place/place.h" // nck_decode_target
 #include "nck/prep/1_decode/macro/macro.h" // nck_decode_moved
 #include "nck/prep/1_decode/motion/motion.h" // nck_decode_give_exact nck_decode_lead …
-#include "nck/base/real.h" // nck_fabs nck_min nck_max nck_nm_of
+#include "nck/base/real.h" // nck_fabs nck_min nck_max nck_nm_of nck_real_of
 #include "nck/base/trig_math.h" // NCK_PI
 #include "nck/base/trig.h" // nck_sincos
 
@@ -37,7 +37,7 @@ static nck_status_t read_positive(nck_decode_t *self, char letter, double scale,
 static nck_status_t read_length(nck_decode_t *self, char letter, double *out) {
     int64_t size_nm = 0;
     const nck_status_t status = nck_decode_length_word(self, letter, &size_nm);
-    *out = (double)size_nm / NM;
+    *out = nck_real_of(size_nm) / NM;
     return status;
 }
 
@@ -47,7 +47,7 @@ static nck_status_t read_increments(nck_decode_t *self, char letter, double *out
     if (!nck_decode_increments(self, letter, &size_nm) || size_nm < 0) {
         return nck_decode_fail_range(self, letter, NCK_DECODE_VALUE_MAX);
     }
-    *out = (double)size_nm / NM;
+    *out = nck_real_of(size_nm) / NM;
     return NCK_OK;
 }
 
@@ -136,7 +136,7 @@ static nck_status_t read_single(nck_decode_t *self) {
         const nck_status_t status = nck_decode_length_word(self, letter, &self->held.turn.taper_nm);
         if (status != NCK_OK) return status;
     }
-    screw->taper = (double)self->held.turn.taper_nm / NM;
+    screw->taper = nck_real_of(self->held.turn.taper_nm) / NM;
     screw->full = 0.0;
     screw->first = 0.0;
     screw->rough = 0.0;
@@ -201,7 +201,7 @@ static nck_status_t read_fanuc(nck_decode_t *self) {
     else if (nck_has_word(self, 'K')) status = read_one_line(self);
     else status = read_second_line(self);
     if (status != NCK_OK) return status;
-    go_in(screw, (double)(screw->end_nm[0] - screw->start_nm[0]));
+    go_in(screw, nck_real_of(screw->end_nm[0] - screw->start_nm[0]));
     screw->end_nm[0] -= nck_nm_of(screw->in * screw->full); // to the crest: said is the root
     return NCK_OK;
 }
@@ -362,10 +362,10 @@ static nck_status_t cut(nck_decode_t *self, nck_block_t *out) {
     thread.turn = screw->turn;
     thread.entry = (float)screw->entry;
     thread.exit = (float)screw->exit;
-    thread.enter = (double)(cut_x(screw, 1) - self->place.position_nm[NCK_AXIS_X]) / NM;
-    thread.leave = (double)(end_nm[NCK_AXIS_X] - x_nm) / NM;
-    const double along = (double)(end_nm[NCK_AXIS_Z] - self->place.position_nm[NCK_AXIS_Z]) / NM;
-    const double across = (double)(x_nm - cut_x(screw, 1)) / NM;
+    thread.enter = nck_real_of(cut_x(screw, 1) - self->place.position_nm[NCK_AXIS_X]) / NM;
+    thread.leave = nck_real_of(end_nm[NCK_AXIS_X] - x_nm) / NM;
+    const double along = nck_real_of(end_nm[NCK_AXIS_Z] - self->place.position_nm[NCK_AXIS_Z]) / NM;
+    const double across = nck_real_of(x_nm - cut_x(screw, 1)) / NM;
     thread.length = nck_max(nck_fabs(along), nck_fabs(across));
     return nck_decode_pass(self, end_nm, &thread, out);
 }

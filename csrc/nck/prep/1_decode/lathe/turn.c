@@ -10,6 +10,7 @@
 #include "nck/prep/1_decode/tongue/tongue.h" // nck_lathe_is_a
 #include "nck/prep/1_decode/macro/macro.h" // nck_decode_moved
 #include "nck/prep/1_decode/motion/motion.h" // nck_decode_cutting_feed nck_decode_cycle_fits …
+#include "nck/base/real.h" // nck_real_of
 
 #include <stddef.h> // NULL
 
@@ -93,8 +94,8 @@ static nck_status_t check_taper(nck_decode_t *self) {
     if (!away && !(flat && turn->taper_nm != 0)) return NCK_OK;
     const nck_scale_t *const scale = &self->place.scale[0];
     return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, taper_letter(self),
-                                nck_decode_as_word(scale, (double)turn->taper_nm),
-                                nck_decode_as_word(scale, (double)-depth_nm));
+                                nck_decode_as_word(scale, nck_real_of(turn->taper_nm)),
+                                nck_decode_as_word(scale, nck_real_of(-depth_nm)));
 }
 
 static nck_status_t begin(nck_decode_t *self) {

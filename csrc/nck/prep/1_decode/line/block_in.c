@@ -8,7 +8,7 @@
 #include "nck/prep/1_decode/place/place.h" // nck_decode_set_tool
 #include "nck/prep/1_decode/motion/motion.h" // nck_decode_go
 #include "nck/base/budget.h" // NCK_TOLERANCE_MIN
-#include "nck/base/real.h" // nck_fabs nck_floor nck_rounded nck_within
+#include "nck/base/real.h" // nck_fabs nck_floor nck_rounded nck_within nck_real_of
 
 #include <string.h> // memcpy
 
@@ -121,7 +121,7 @@ static nck_status_t read_target(nck_decode_t *self, const nck_block_in_t *block,
             return nck_decode_fail(self, NCK_E_AXIS_UNKNOWN, 0, letter, 0.0, 0.0);
         }
         const double target = block->target[axis];
-        const double origin = (double)self->place.origin_nm[axis] / counts;
+        const double origin = nck_real_of(self->place.origin_nm[axis]) / counts;
         if (nck_fabs(target) > limit || nck_fabs(origin + target) > limit) {
             return nck_decode_fail(self, NCK_E_NUMBER_RANGE, 0, letter, target, limit);
         }

@@ -6,7 +6,7 @@
 #include "nck/prep/1_decode/number/number.h" // nck_decode_letter nck_decode_scale_of
 #include "nck/prep/1_decode/tongue/tongue.h" // nck_lathe_is_a
 #include "nck/prep/1_decode/place/place.h" // nck_decode_origin nck_turned_by nck_turned_place
-#include "nck/base/real.h" // nck_floor nck_fabs
+#include "nck/base/real.h" // nck_floor nck_fabs nck_real_of
 
 #include <stddef.h> // NULL size_t
 
@@ -325,7 +325,8 @@ nck_status_t nck_parameter_set_work(nck_decode_t *self, uint32_t number, double 
     if (self->modal.comp) return NCK_E_COMP_ON;
     if (self->layout.on) return NCK_E_LAYOUT_ON;
     const double counts = nck_floor(value * counts_of(self, axis) + 0.5);
-    if (!(nck_fabs(counts) <= (double)nck_decode_scale_of(self, axis)->limit)) return NCK_E_VALUE;
+    const double most = nck_real_of(nck_decode_scale_of(self, axis)->limit);
+    if (!(nck_fabs(counts) <= most)) return NCK_E_VALUE;
     int64_t *const zeros = row->ask == ASK_OUTER ? self->place.outer_nm
                                                  : self->place.work_nm[index / SYSTEM_ROW];
     zeros[axis] = (int64_t)counts;

@@ -5,6 +5,7 @@
 #include "nck/prep/1_decode/number/number.h" // nck_decode_counts nck_decode_real_word …
 #include "nck/prep/1_decode/tongue/tongue.h" // nck_decode_mode nck_decode_own_m …
 #include "nck/base/budget.h" // NCK_TOLERANCE_MIN
+#include "nck/base/real.h" // nck_real_of
 
 #include <stddef.h> // NULL
 
@@ -105,7 +106,7 @@ nck_status_t nck_decode_change(nck_decode_t *self, nck_block_t *out) {
         const int unknown = self->machine->tool_count > 0
                             && nck_decode_find_tool(self, tool) == NULL;
         if (tool > 0 && unknown) {
-            return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'Q', (double)number, 0.0);
+            return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'Q', nck_real_of(number), 0.0);
         }
         self->modal.tool_in = tool;
         return NCK_EMPTY;
@@ -146,7 +147,7 @@ nck_status_t nck_decode_override(nck_decode_t *self, nck_block_t *out) {
     if (!NCK_HAS_FOREIGN || code < 500) return give_m(self, NCK_STEP_OVERRIDE, out);
     const nck_status_t status = nck_decode_whole(self, 'P', 1, 1, &on);
     if (status != NCK_OK) return status;
-    (void)nck_decode_give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_SETTING, (double)on, out);
+    (void)nck_decode_give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_SETTING, nck_real_of(on), out);
     out->output.number = code / 10;
     return NCK_OK;
 }

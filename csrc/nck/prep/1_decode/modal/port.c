@@ -3,6 +3,7 @@
 #include "nck/prep/1_decode/modal/modal.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail_step nck_decode_fail_word …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_whole
+#include "nck/base/real.h" // nck_real_of
 
 enum {
     PORT_MOST = 63, ANALOGUE_MOST = 15, WAIT_KINDS = 4, PER_KIND = 100, PER_ANALOGUE = 1000
@@ -41,7 +42,7 @@ static nck_status_t give(nck_decode_t *self, nck_output_kind_t kind, uint32_t nu
 static nck_status_t check_wait(nck_decode_t *self, char letter, int64_t kind, double most_s) {
     if (!(most_s > 0.0)) return fail_missing(self, 'Q');
     if (letter == 'P') return NCK_OK;
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'L', (double)kind, 0.0);
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'L', nck_real_of(kind), 0.0);
 }
 
 // M66: the program waits there for an input, L0: it does not.

@@ -5,6 +5,7 @@
 #include "nck/prep/1_decode/number/number.h" // nck_word_real
 #include "nck/base/trig_math.h" // NCK_PI
 #include "nck/base/spin_math.h" // nck_spin_rpm
+#include "nck/base/real.h" // nck_real_of
 
 #define MM_PER_M 1000.0
 #define MM_PER_FOOT 304.8
@@ -92,7 +93,7 @@ static double speed_here(const nck_decode_t *self) {
     const int64_t x_nm = self->place.position_nm[NCK_AXIS_X] - self->place.origin_nm[NCK_AXIS_X];
     const double speed = self->modal.surface / (2.0 * NCK_PI);
     const nck_spin_t spin = {speed, nck_decode_speed_most(self), 0.0, 0.0};
-    return nck_spin_rpm(&spin, (double)x_nm / (double)NCK_COUNTS_PER_MM);
+    return nck_spin_rpm(&spin, nck_real_of(x_nm) / (double)NCK_COUNTS_PER_MM);
 }
 
 // G97 without S: the speed stays what it is at this place, as Fanuc's controls have it.

@@ -47,7 +47,7 @@ static nck_status_t read_turns(nck_decode_t *self, course_t *course) {
     if (own && (!nck_number_whole(word, 0, &turns) || turns < 1 || turns > NCK_DECODE_TURNS_MAX)) {
         return nck_decode_fail_range(self, 'P', NCK_DECODE_TURNS_MAX);
     }
-    course->more = (double)(turns - 1) * 2.0 * NCK_PI;
+    course->more = nck_real_of(turns - 1) * 2.0 * NCK_PI;
     return NCK_OK;
 }
 
@@ -85,7 +85,7 @@ static nck_status_t fill_block(nck_decode_t *self, const course_t *course, const
     for (unsigned axis = 0; axis < 3; axis++) out->target_nm[axis] -= self->place.tool_nm[axis];
     for (unsigned k = 0; k < 2; k++) {
         const int64_t tool_nm = self->place.tool_nm[axes[k]];
-        centre_nm[k] = (double)from_nm[axes[k]] + course->c[k] * 1e6;
+        centre_nm[k] = nck_real_of(from_nm[axes[k]]) + course->c[k] * 1e6;
         out->centre_mm[k] = nck_mm_of(from_nm[axes[k]] - tool_nm) + course->c[k];
     }
     out->sweep_rad = sweep;
@@ -215,7 +215,7 @@ static nck_status_t arc_in_two(nck_decode_t *self, course_t *course, const int64
 
     nck_arc_point(course->c[0], course->c[1], radius, 0.5 * angle, first.d);
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
-        double ahead_nm = (double)(target_nm[axis] - from_nm[axis]) * share;
+        double ahead_nm = nck_real_of(target_nm[axis] - from_nm[axis]) * share;
         if (axis == course->u) ahead_nm = first.d[0] * 1e6;
         if (axis == course->v) ahead_nm = first.d[1] * 1e6;
         middle_nm[axis] = from_nm[axis] + nck_rounded(ahead_nm);

@@ -8,7 +8,7 @@
 #include "nck/prep/1_decode/state/state.h" // nck_decode_assume_places nck_decode_fail_step …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_letter nck_decode_plain_word …
 #include "nck/prep/1_decode/place/place.h" // nck_decode_target
-#include "nck/base/real.h" // nck_fabs
+#include "nck/base/real.h" // nck_fabs nck_real_of
 
 #include <string.h> // memcmp memset
 
@@ -83,7 +83,7 @@ static nck_status_t add_point(nck_decode_t *self) {
     }
     point->to_nm[0] = place_nm[0];
     point->to_nm[1] = place_nm[1];
-    point->centre_mm[NCK_SPLINE_Z] = (double)place_nm[2];
+    point->centre_mm[NCK_SPLINE_Z] = nck_real_of(place_nm[2]);
     point->sweep_rad = weight;
     spline->points++;
     return NCK_OK;

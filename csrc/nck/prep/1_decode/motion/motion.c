@@ -7,6 +7,7 @@
 #include "nck/prep/1_decode/place/place.h" // nck_decode_target
 #include "nck/prep/1_decode/macro/macro.h" // nck_decode_moved
 #include "nck/base/budget.h" // NCK_TOLERANCE_MIN
+#include "nck/base/real.h" // nck_real_of
 
 #include <stddef.h> // NULL
 #include <string.h> // memcpy
@@ -189,7 +190,7 @@ static nck_status_t find_home(nck_decode_t *self, const int64_t **home_out) {
         return nck_decode_fail_range(self, 'P', POINT_MOST);
     }
     if (point > 2 && !(self->machine->home_more >> (point - 3) & 1u)) {
-        return nck_decode_fail_word(self, NCK_E_UNSUPPORTED, 'P', (double)point, 0.0);
+        return nck_decode_fail_word(self, NCK_E_UNSUPPORTED, 'P', nck_real_of(point), 0.0);
     }
     *home_out = point <= 2 ? self->place.home_nm[point - 1] : self->machine->home_nm[point - 1];
     return NCK_OK;

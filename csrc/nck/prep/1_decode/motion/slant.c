@@ -7,7 +7,7 @@
 #include "nck/prep/1_decode/number/number.h" // nck_decode_axis_word nck_decode_write …
 #include "nck/prep/1_decode/tongue/tongue.h" // nck_lathe_is_a nck_lathe_steps
 #include "nck/prep/1_decode/place/place.h" // nck_plane_axes
-#include "nck/base/real.h" // nck_fabs nck_sincos nck_rounded
+#include "nck/base/real.h" // nck_fabs nck_sincos nck_rounded nck_real_of
 
 enum { AXIS_A = 3 };
 
@@ -63,7 +63,7 @@ static nck_status_t write_other(nck_decode_t *self, unsigned said, unsigned othe
     const nck_status_t status = nck_decode_axis_word(self, said, &to_nm);
     if (status != NCK_OK) return status;
     const int64_t from_nm = self->place.position_nm[said] - self->place.origin_nm[said];
-    const double way = (double)(adds ? to_nm : to_nm - from_nm);
+    const double way = nck_real_of(adds ? to_nm : to_nm - from_nm);
     nck_sincos(words->polar_step[1] * degree, &sine, &cosine);
     const double up = is_first ? way * sine : way * cosine;
     const double along = is_first ? cosine : sine;

@@ -6,7 +6,7 @@
 #include "nck/prep/1_decode/state/state.h" // nck_decode_assume_places nck_decode_block …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_length_word nck_decode_letter …
 #include "nck/prep/1_decode/place/place.h" // nck_decode_target nck_layout_way
-#include "nck/base/real.h" // nck_floor nck_min nck_max nck_sqrt nck_rounded
+#include "nck/base/real.h" // nck_floor nck_min nck_max nck_sqrt nck_rounded nck_real_of
 
 #include <string.h> // memcpy memset
 
@@ -53,7 +53,7 @@ static void point_at(const nck_decode_t *self, double u, double *at) {
     for (uint32_t r = 0; r < k; r++) {
         const nck_element_t *const point = &element[j - k + 1 + r];
         const double w = point->sweep_rad;
-        d[r] = (weighted_t){w * (double)point->to_nm[0], w * (double)point->to_nm[1],
+        d[r] = (weighted_t){w * nck_real_of(point->to_nm[0]), w * nck_real_of(point->to_nm[1]),
                             w * point->centre_mm[NCK_SPLINE_Z], w};
     }
     for (uint32_t l = 1; l < k; l++) {
@@ -160,7 +160,7 @@ static nck_status_t add_beside(nck_decode_t *self, const int64_t *from_nm, char 
     if (status == NCK_OK && nck_has_word(self, y)) {
         status = nck_decode_length_word(self, y, &place_nm[1]);
     }
-    double way[2] = {(double)place_nm[0], (double)place_nm[1]};
+    double way[2] = {nck_real_of(place_nm[0]), nck_real_of(place_nm[1])};
     if (self->layout.on != 0) (void)nck_layout_way(self, way);
     for (unsigned k = 0; k < 2; k++) place_nm[k] = from_nm[k] + nck_rounded(way[k]);
     add_point(self, place_nm, 1.0);

@@ -4,7 +4,7 @@
 #include "nck/prep/1_decode/state/state.h" // nck_decode_assume_places nck_decode_block …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_travel
 #include "nck/prep/1_decode/place/place.h" // nck_decode_target
-#include "nck/base/real.h" // nck_fabs
+#include "nck/base/real.h" // nck_fabs nck_real_of
 #include "nck/base/thread.h" // nck_tap_plan …
 
 #define SECONDS 60.0
@@ -19,7 +19,7 @@ nck_status_t nck_decode_tap(nck_decode_t *self, const int64_t *bottom_nm, double
     if (!NCK_HAS_THREADS) return NCK_E_UNSUPPORTED;
     tap.dwell = (float)dwell_s;
     for (unsigned axis = 0; axis < 3; axis++) {
-        tap.way[axis] = (double)(bottom_nm[axis] - self->place.position_nm[axis]) * 1e-6;
+        tap.way[axis] = nck_real_of(bottom_nm[axis] - self->place.position_nm[axis]) * 1e-6;
     }
     const double way = nck_fabs(tap.way[0]) + nck_fabs(tap.way[1]) + nck_fabs(tap.way[2]);
     const int is_empty = !(way > 0.0);

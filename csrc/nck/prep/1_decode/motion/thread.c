@@ -5,7 +5,7 @@
 #include "nck/prep/1_decode/number/number.h" // nck_decode_travel nck_word_real
 #include "nck/prep/1_decode/tongue/tongue.h" // nck_lathe_is_a
 #include "nck/prep/1_decode/place/place.h" // nck_decode_target
-#include "nck/base/real.h" // nck_fabs nck_max nck_sqrt
+#include "nck/base/real.h" // nck_fabs nck_max nck_sqrt nck_real_of
 #include "nck/base/thread.h" // nck_thread_…
 
 #include <string.h> // memcpy
@@ -25,7 +25,7 @@ double nck_decode_thread_name(const nck_decode_t *self) {
 
 static void machine_mm(const nck_decode_t *self, const int64_t *at_nm, double *at) {
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        at[x] = (double)at_nm[x] / nck_machine_counts(self->machine, x);
+        at[x] = nck_real_of(at_nm[x]) / nck_machine_counts(self->machine, x);
     }
 }
 
@@ -133,7 +133,7 @@ nck_status_t nck_decode_single_pass(nck_decode_t *self, nck_block_t *out) {
     double sum = 0.0;
     double most = 0.0;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        const double d = (double)(end_nm[x] - self->place.position_nm[x]) * 1e-6;
+        const double d = nck_real_of(end_nm[x] - self->place.position_nm[x]) * 1e-6;
         sum += d * d;
         most = nck_max(most, nck_fabs(d));
     }

@@ -2,6 +2,7 @@
 // The words of the axes: their letters, scales and numbers, where they count from, the travel.
 #include "nck/prep/1_decode/number/number.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail nck_decode_fail_word
+#include "nck/base/real.h" // nck_real_of
 
 enum { DECIMALS = 9, PLACES = 10000 }; // 10^(DECIMALS − 5)
 
@@ -13,7 +14,7 @@ int nck_decode_letter(unsigned axis) {
 // A value as it is told [mm] or [deg].
 static double shown(const nck_decode_t *self, unsigned axis, int64_t value_nm) {
     const int rotary = (self->place.rotary >> axis & 1u) != 0;
-    return (double)value_nm / (rotary ? NCK_COUNTS_PER_DEG : NCK_COUNTS_PER_MM);
+    return nck_real_of(value_nm) / (rotary ? NCK_COUNTS_PER_DEG : NCK_COUNTS_PER_MM);
 }
 
 double nck_decode_as_word(const nck_scale_t *scale, double value_nm) {
@@ -32,7 +33,7 @@ static nck_status_t read_word(nck_decode_t *self, int letter, const nck_scale_t 
                               int64_t *value_out) {
     const nck_number_t *const word = &self->words.number[letter - 'A'];
     if (nck_decode_fixed(self, word, scale, value_out)) return NCK_OK;
-    const double limit = nck_decode_as_word(scale, (double)scale->limit);
+    const double limit = nck_decode_as_word(scale, nck_real_of(scale->limit));
     return nck_decode_fail_range(self, letter, limit * nck_decode_counts(self, letter));
 }
 
@@ -58,7 +59,7 @@ nck_status_t nck_decode_beyond(nck_decode_t *self, unsigned axis, double at_nm, 
     const nck_scale_t *const scale = nck_decode_scale_of(self, axis);
     const int letter = nck_decode_letter(axis);
     const int said = (self->words.letters & NCK_LETTER(letter)) != 0;
-    const double most_nm = at_nm < 0.0 ? -(double)scale->limit : (double)scale->limit;
+    const double most_nm = at_nm < 0.0 ? -nck_real_of(scale->limit) : nck_real_of(scale->limit);
     const double at = nck_decode_as_word(scale, at_nm), most = nck_decode_as_word(scale, most_nm);
     const double counts = nck_decode_counts(self, letter);
     const double word = nck_word_real(self, letter);
@@ -69,10 +70,10 @@ nck_status_t nck_decode_beyond(nck_decode_t *self, unsigned axis, double at_nm, 
 
 nck_status_t nck_decode_steps(nck_decode_t *self, unsigned axis, int64_t step_nm, int64_t count,
                               int64_t *at_nm) {
-    const double limit_nm = (double)nck_decode_scale_of(self, axis)->limit;
-    const double end_nm = (double)*at_nm + (double)step_nm * (double)count;
+    const double limit_nm = nck_real_of(nck_decode_scale_of(self, axis)->limit);
+    const double end_nm = nck_real_of(*at_nm) + nck_real_of(step_nm) * nck_real_of(count);
     if (!(end_nm >= -limit_nm && end_nm <= limit_nm)) {
-        return nck_decode_beyond(self, axis, end_nm, (double)count + 1.0);
+        return nck_decode_beyond(self, axis, end_nm, nck_real_of(count) + 1.0);
     }
     *at_nm += step_nm * count;
     return NCK_OK;

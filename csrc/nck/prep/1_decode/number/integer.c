@@ -4,6 +4,7 @@
 //     X100.  100 mm           X100  100 mm, or 0.1 mm; of 0 nobody asks
 #include "nck/prep/1_decode/number/number.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_assume nck_decode_fail_word
+#include "nck/base/real.h" // nck_real_of
 
 enum { DECIMALS = 3, DECIMALS_INCH = 4 }; // of mm, degrees and seconds; of inches
 
@@ -108,5 +109,5 @@ nck_status_t nck_decode_whole(nck_decode_t *self, char letter, int64_t most, int
     *out = otherwise;
     if (!(self->words.letters & NCK_LETTER(letter))) return NCK_OK;
     if (nck_number_whole(word, 0, out) && *out >= 0 && *out <= most) return NCK_OK;
-    return nck_decode_fail_range(self, letter, (double)most);
+    return nck_decode_fail_range(self, letter, nck_real_of(most));
 }

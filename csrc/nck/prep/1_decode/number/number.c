@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Decimal numbers: reading, exact fixed point, floating point.
 #include "nck/prep/1_decode/number/number.h"
+#include "nck/base/real.h" // nck_real_of
 
 enum { POWERS = 19, REAL_POWERS = 23 }; // of ten: the first that is no int64_t, no exact double
 
@@ -18,7 +19,7 @@ static const int64_t power_of_ten[POWERS] = {
 // 10^n, 0 ≤ n < REAL_POWERS: exact in binary64, and so are both factors.
 static double real_power_of_ten(int n) {
     const int rest = n < POWERS ? 0 : n - (POWERS - 1);
-    return (double)power_of_ten[n - rest] * (double)power_of_ten[rest];
+    return nck_real_of(power_of_ten[n - rest]) * nck_real_of(power_of_ten[rest]);
 }
 
 static int is_blank(char c) {
@@ -166,7 +167,7 @@ int nck_number_fixed(const char *text, const nck_number_t *number, const nck_sca
         }
     } else if (shift >= 0) {
         const int64_t unit = scale->factor * power_of_ten[shift];
-        if ((double)number->mantissa * (double)unit > 1e17) {
+        if (nck_real_of(number->mantissa) * nck_real_of(unit) > 1e17) {
             return 0;
         }
         magnitude = number->mantissa * unit;
@@ -182,7 +183,7 @@ int nck_number_fixed(const char *text, const nck_number_t *number, const nck_sca
 }
 
 double nck_number_real(const nck_number_t *number) {
-    double value = (double)number->mantissa;
+    double value = nck_real_of(number->mantissa);
     int decimals = number->decimals;
     for (; decimals >= REAL_POWERS; decimals -= REAL_POWERS - 1) {
         value /= real_power_of_ten(REAL_POWERS - 1);

@@ -3,6 +3,7 @@
 #include "nck/prep/1_decode/place/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_block nck_decode_fail_code …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_fail_range nck_decode_whole nck_word_real
+#include "nck/base/real.h" // nck_real_of
 
 #include <stddef.h> // NULL
 
@@ -48,9 +49,9 @@ static nck_status_t read_tool(nck_decode_t *self, double *radius_out, int64_t *n
     if (status != NCK_OK) return status;
     const int has_none = number != 0 && !nck_table_find(self, (uint32_t)number, &tool);
     if (has_none && self->machine->tool_count == 0) {
-        nck_decode_note_word(self, NCK_NOTE_LENGTH, letter, (double)number);
+        nck_decode_note_word(self, NCK_NOTE_LENGTH, letter, nck_real_of(number));
     } else if (has_none) {
-        return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, letter, (double)number, 0.0);
+        return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, letter, nck_real_of(number), 0.0);
     }
     if (fanuc && nck_has_word(self, letter)) self->modal.offset_in = (int32_t)number;
     *radius_out = tool.radius_mm + tool.wear_mm;
@@ -93,8 +94,8 @@ static nck_status_t begin(nck_decode_t *self, double left, nck_block_t *out) {
                                         : read_diameter(self, &radius, &nose);
     if (status != NCK_OK) return status;
     if (nose % 9 != 0 && self->modal.plane != 18) {
-        return nck_decode_fail_step(self, NCK_E_COMP_PLANE, NCK_STEP_RADIUS_COMP, 'G', (double)nose,
-                                    0.0);
+        return nck_decode_fail_step(self, NCK_E_COMP_PLANE, NCK_STEP_RADIUS_COMP, 'G',
+                                    nck_real_of(nose), 0.0);
     }
     self->modal.comp = radius != 0.0 ? NCK_COMPENSATES : NCK_COMPENSATES_NOTHING;
     if (radius == 0.0 && before != NCK_COMPENSATES) return NCK_EMPTY;

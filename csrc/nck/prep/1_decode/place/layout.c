@@ -6,7 +6,7 @@
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail nck_decode_fail_code …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_as_word nck_decode_axis_word …
 #include "nck/base/arc_math.h" // nck_plane_axis
-#include "nck/base/real.h" // nck_floor nck_fabs nck_sqrt nck_rounded
+#include "nck/base/real.h" // nck_floor nck_fabs nck_sqrt nck_rounded nck_real_of
 #include "nck/base/trig_math.h" // nck_sincos nck_atan2 NCK_PI
 
 #include <string.h> // memcmp memcpy memset
@@ -29,28 +29,28 @@ static void turn(const nck_decode_t *self, double sine, double *place) {
     const nck_layout_t *const layout = &self->layout;
     unsigned u = NCK_AXIS_X, v = NCK_AXIS_Y;
     if (!(layout->on & NCK_LAYOUT_SYSTEM)) nck_plane_axes(self, &u, &v);
-    const double a = place[u] - (double)layout->turn_nm[0];
-    const double b = place[v] - (double)layout->turn_nm[1];
-    place[u] = (double)layout->turn_nm[0] + (layout->cosine * a - sine * b);
-    place[v] = (double)layout->turn_nm[1] + (sine * a + layout->cosine * b);
+    const double a = place[u] - nck_real_of(layout->turn_nm[0]);
+    const double b = place[v] - nck_real_of(layout->turn_nm[1]);
+    place[u] = nck_real_of(layout->turn_nm[0]) + (layout->cosine * a - sine * b);
+    place[v] = nck_real_of(layout->turn_nm[1]) + (sine * a + layout->cosine * b);
 }
 
 // Mirrored and scaled, as far as that is in force.
 static double stretch(const nck_layout_t *layout, unsigned axis, double place) {
     double at = place;
-    if (layout->mirrors >> axis & 1u) at = 2.0 * (double)layout->mirror_nm[axis] - at;
+    if (layout->mirrors >> axis & 1u) at = 2.0 * nck_real_of(layout->mirror_nm[axis]) - at;
     if (!(layout->on & NCK_LAYOUT_SCALE)) return at;
-    const double centre = (double)layout->centre_nm[axis];
+    const double centre = nck_real_of(layout->centre_nm[axis]);
     return centre + layout->scale[axis] * (at - centre);
 }
 
 static double unstretch(const nck_layout_t *layout, unsigned axis, double place) {
     double at = place;
     if (layout->on & NCK_LAYOUT_SCALE) {
-        const double centre = (double)layout->centre_nm[axis];
+        const double centre = nck_real_of(layout->centre_nm[axis]);
         at = centre + (at - centre) / layout->scale[axis];
     }
-    return layout->mirrors >> axis & 1u ? 2.0 * (double)layout->mirror_nm[axis] - at : at;
+    return layout->mirrors >> axis & 1u ? 2.0 * nck_real_of(layout->mirror_nm[axis]) - at : at;
 }
 
 // What the program calls the place where the axes stand.
@@ -63,7 +63,7 @@ void nck_layout_where(const nck_decode_t *self, int64_t *at_nm) {
         return;
     }
     for (unsigned axis = 0; axis < 3; axis++) {
-        place[axis] = (double)(position_nm[axis] - self->place.origin_nm[axis]);
+        place[axis] = nck_real_of(position_nm[axis] - self->place.origin_nm[axis]);
     }
     if (layout->on & NCK_LAYOUT_TURN) turn(self, -layout->sine, place);
     for (unsigned axis = 0; axis < 3; axis++) {
@@ -83,7 +83,7 @@ static nck_status_t read_polar(nck_decode_t *self, int64_t *at_nm) {
     if (self->words.axes >> u & 1u) {
         const nck_status_t status = nck_decode_axis_word(self, u, &radius_nm);
         if (status != NCK_OK) return status;
-        layout->radius = (double)radius_nm;
+        layout->radius = nck_real_of(radius_nm);
         layout->pole_nm[0] = steps ? at_nm[u] : 0;
         layout->pole_nm[1] = steps ? at_nm[v] : 0;
     }
@@ -133,14 +133,14 @@ nck_status_t nck_layout_target(nck_decode_t *self, int64_t *target_nm) {
     nck_layout_where(self, at_nm);
     nck_status_t status = read_place(self, at_nm);
     for (unsigned axis = 0; axis < 3; axis++) {
-        place[axis] = stretch(layout, axis, (double)at_nm[axis]);
+        place[axis] = stretch(layout, axis, nck_real_of(at_nm[axis]));
     }
     if (layout->on & NCK_LAYOUT_TURN) turn(self, layout->sine, place);
     for (unsigned axis = 0; axis < 3 && status == NCK_OK; axis++) {
         target_nm[axis] = 0;
         const nck_scale_t *const factor = nck_decode_scale_of(self, axis);
         const double most = (double)factor->limit;
-        const double far = place[axis] + (double)self->place.origin_nm[axis];
+        const double far = place[axis] + nck_real_of(self->place.origin_nm[axis]);
         if (!(nck_fabs(far) <= most)) {
             status = nck_decode_fail(self, NCK_E_NUMBER_RANGE, 0, nck_decode_letter(axis),
                                      nck_decode_as_word(factor, far),
@@ -283,7 +283,7 @@ static nck_status_t begin_scale(nck_decode_t *self) {
     if (status == NCK_OK) status = read_centre(self, centre_nm);
     if (status != NCK_OK) return status;
     for (unsigned axis = 0; axis < 3; axis++) {
-        layout->centre_nm[axis] = nck_rounded(stretch(layout, axis, (double)centre_nm[axis]));
+        layout->centre_nm[axis] = nck_rounded(stretch(layout, axis, nck_real_of(centre_nm[axis])));
     }
     memcpy(layout->scale, factor, sizeof factor);
     layout->on |= NCK_LAYOUT_SCALE;
@@ -330,8 +330,8 @@ static nck_status_t rotate(nck_decode_t *self) {
     status = read_centre(self, centre_nm);
     if (status != NCK_OK) return status;
     nck_plane_axes(self, &u, &v);
-    layout->turn_nm[0] = nck_rounded(stretch(layout, u, (double)centre_nm[u]));
-    layout->turn_nm[1] = nck_rounded(stretch(layout, v, (double)centre_nm[v]));
+    layout->turn_nm[0] = nck_rounded(stretch(layout, u, nck_real_of(centre_nm[u])));
+    layout->turn_nm[1] = nck_rounded(stretch(layout, v, nck_real_of(centre_nm[v])));
     const double whole = 360.0 * nck_floor(degrees / 360.0);
     nck_sincos((degrees - whole) * NCK_PI / 180.0, &layout->sine, &layout->cosine);
     layout->on |= NCK_LAYOUT_TURN;
@@ -374,8 +374,8 @@ nck_status_t nck_decode_layout(nck_decode_t *self, nck_block_t *out) {
         unsigned u, v;
         nck_layout_where(self, at_nm);
         nck_plane_axes(self, &u, &v);
-        const double a = (double)at_nm[u];
-        const double b = (double)at_nm[v];
+        const double a = nck_real_of(at_nm[u]);
+        const double b = nck_real_of(at_nm[v]);
         memset(layout->pole_nm, 0, sizeof layout->pole_nm);
         layout->radius = nck_sqrt(a * a + b * b);
         layout->angle = nck_atan2(b, a) * 180.0 / NCK_PI;

@@ -4,6 +4,7 @@
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail_code nck_decode_fail_step …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_axis_word nck_decode_steps …
 #include "nck/prep/1_decode/modal/modal.h" // nck_decode_speed_limit
+#include "nck/base/real.h" // nck_real_of
 
 #include <stddef.h> // NULL
 #include <string.h> // memcpy memset
@@ -35,11 +36,11 @@ static nck_status_t find_length(nck_decode_t *self, int64_t number, nck_tool_t *
     if (number == 0) return NCK_EMPTY;
     if (nck_table_find(self, (uint32_t)number, tool_out)) return NCK_OK;
     if (self->machine->tool_count == 0) {
-        nck_decode_note_word(self, NCK_NOTE_LENGTH, 'H', (double)number);
+        nck_decode_note_word(self, NCK_NOTE_LENGTH, 'H', nck_real_of(number));
         return NCK_EMPTY;
     }
-    if (has_h) return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'H', (double)number, 0.0);
-    return nck_decode_fail_step(self, NCK_E_TOOL_UNKNOWN, NCK_STEP_LENGTH, 'H', (double)number,
+    if (has_h) return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'H', nck_real_of(number), 0.0);
+    return nck_decode_fail_step(self, NCK_E_TOOL_UNKNOWN, NCK_STEP_LENGTH, 'H', nck_real_of(number),
                                 0.0);
 }
 
@@ -90,7 +91,7 @@ static nck_status_t read_further_number(nck_decode_t *self, int64_t most, uint32
     const nck_status_t status = nck_decode_whole(self, 'P', most, 0, &number);
     *number_out = (uint32_t)number;
     if (status != NCK_OK || number > 0) return status;
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'P', 0.0, (double)most);
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'P', 0.0, nck_real_of(most));
 }
 
 nck_status_t nck_decode_work(nck_decode_t *self, nck_block_t *out) {
@@ -253,7 +254,7 @@ static nck_status_t set_further(nck_decode_t *self) {
         int64_t value_nm = 0;
         status = read_zero(self, axis, before_nm, &value_nm);
         if (status != NCK_OK) break;
-        status = nck_variable_wait(self, nck_variable_work(number, axis), (double)value_nm);
+        status = nck_variable_wait(self, nck_variable_work(number, axis), nck_real_of(value_nm));
     }
     status = nck_variable_commit(self, status);
     const int in_force = self->place.work_system == NCK_WORK_SYSTEMS

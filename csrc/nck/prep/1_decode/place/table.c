@@ -4,7 +4,7 @@
 #include "nck/prep/1_decode/place/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail_missing nck_decode_fail_word …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_axis_word nck_decode_length_word …
-#include "nck/base/real.h" // nck_rounded
+#include "nck/base/real.h" // nck_rounded nck_real_of
 
 #include <stddef.h> // NULL size_t
 
@@ -25,7 +25,7 @@ int nck_table_find(const nck_decode_t *self, uint32_t number, nck_tool_t *tool_o
     *tool_out = *entry;
     if (!NCK_HAS_VARIABLES) return 1;
     for (unsigned axis = 0; axis < 3; axis++) {
-        const double offset = (double)entry->offset_nm[axis];
+        const double offset = nck_real_of(entry->offset_nm[axis]);
         tool_out->offset_nm[axis] = nck_rounded(changed(self, number, FIELD_X + axis, offset));
     }
     tool_out->offset_nm[NCK_AXIS_Z] += nck_rounded(changed(self, number, FIELD_WEAR, 0.0));
@@ -39,8 +39,8 @@ int nck_table_find(const nck_decode_t *self, uint32_t number, nck_tool_t *tool_o
 void nck_table_forget(nck_decode_t *self, uint32_t number) {
     const nck_tool_t *const tool = nck_decode_find_tool(self, number);
     if (!NCK_HAS_VARIABLES || tool == NULL) return;
-    const double fields[] = {(double)tool->offset_nm[0], (double)tool->offset_nm[1],
-                             (double)tool->offset_nm[2], tool->radius_mm,
+    const double fields[] = {nck_real_of(tool->offset_nm[0]), nck_real_of(tool->offset_nm[1]),
+                             nck_real_of(tool->offset_nm[2]), tool->radius_mm,
                              (double)tool->orientation, 0.0, tool->wear_mm};
     for (unsigned field = FIELD_X; field <= FIELD_RADIUS_WEAR; field++) {
         const uint64_t key = nck_variable_tool(number, field);
@@ -67,7 +67,7 @@ static nck_status_t set_offsets(nck_decode_t *self, uint32_t number, int64_t lis
         }
         offset_nm = list == L_ENTRY ? word_nm : offset_nm - word_nm;
         status = nck_decode_steps(self, axis, 0, 0, &offset_nm);
-        if (status == NCK_OK) status = keep(self, number, FIELD_X + axis, (double)offset_nm);
+        if (status == NCK_OK) status = keep(self, number, FIELD_X + axis, nck_real_of(offset_nm));
         if (status != NCK_OK) return status;
     }
     return NCK_OK;
@@ -79,11 +79,12 @@ static nck_status_t set_shape(nck_decode_t *self, uint32_t number) {
     nck_status_t status = NCK_OK;
     if (self->words.letters & NCK_LETTER('R')) {
         status = nck_decode_length_word(self, 'R', &radius_nm);
-        if (status == NCK_OK) status = keep(self, number, FIELD_RADIUS, (double)radius_nm * 1e-6);
+        const double radius = nck_real_of(radius_nm) * 1e-6;
+        if (status == NCK_OK) status = keep(self, number, FIELD_RADIUS, radius);
     }
     if (status != NCK_OK || !(self->words.letters & NCK_LETTER('Q'))) return status;
     status = nck_decode_whole(self, 'Q', 9, 0, &nose);
-    return status == NCK_OK ? keep(self, number, FIELD_NOSE, (double)nose) : status;
+    return status == NCK_OK ? keep(self, number, FIELD_NOSE, nck_real_of(nose)) : status;
 }
 
 // Fanuc's mills: R is the length (L10), its wear (L11, in older programs L1); G91 adds to it. What
@@ -103,7 +104,7 @@ static nck_status_t set_length(nck_decode_t *self, uint32_t number, int64_t list
         value_nm += field == FIELD_WEAR ? wear_nm : tool.offset_nm[NCK_AXIS_Z] - wear_nm;
     }
     if (status == NCK_OK) status = nck_decode_steps(self, NCK_AXIS_Z, 0, 0, &value_nm);
-    return status == NCK_OK ? keep(self, number, field, (double)value_nm) : status;
+    return status == NCK_OK ? keep(self, number, field, nck_real_of(value_nm)) : status;
 }
 
 // The same of the radius for D (L12) and its wear (L13), as the machine says that the words are.
@@ -114,7 +115,7 @@ static nck_status_t set_radius(nck_decode_t *self, uint32_t number, int64_t list
     const unsigned field = list == L_RADIUS ? FIELD_RADIUS : FIELD_RADIUS_WEAR;
     (void)nck_table_find(self, number, &tool); // it is there
     const nck_status_t status = nck_decode_length_word(self, 'R', &value_nm);
-    double value = (double)value_nm * 1e-6 * share;
+    double value = nck_real_of(value_nm) * 1e-6 * share;
     if (self->modal.incremental) value += list == L_RADIUS ? tool.radius_mm : tool.wear_mm;
     return status == NCK_OK ? keep(self, number, field, value) : status;
 }
@@ -161,7 +162,7 @@ nck_status_t nck_table_set(nck_decode_t *self, int64_t list) {
     nck_status_t status = nck_decode_whole(self, 'P', NCK_DECODE_VALUE_MAX, 0, &number);
     if (status != NCK_OK) return status;
     if (nck_decode_find_tool(self, (uint32_t)number) == NULL) {
-        return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'P', (double)number, 0.0);
+        return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'P', nck_real_of(number), 0.0);
     }
     if (nck_is_fanuc(self)) {
         if (self->words.letters & NCK_LETTER('R')) {

@@ -2,6 +2,7 @@
 // Where the axis words of a line lead.
 #include "nck/prep/1_decode/place/parts.h"
 #include "nck/prep/1_decode/number/number.h" // nck_decode_axis_word nck_decode_beyond …
+#include "nck/base/real.h" // nck_real_of
 
 #include <string.h> // memcpy
 
@@ -24,7 +25,7 @@ nck_status_t nck_decode_target(nck_decode_t *self, int absolute, int64_t *target
         }
         const int64_t limit = nck_decode_scale_of(self, axis)->limit;
         if (value < -limit || value > limit) {
-            return nck_decode_beyond(self, axis, (double)value, 1.0);
+            return nck_decode_beyond(self, axis, nck_real_of(value), 1.0);
         }
         target_nm[axis] = value;
     }

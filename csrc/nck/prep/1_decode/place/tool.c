@@ -3,6 +3,7 @@
 #include "nck/prep/1_decode/place/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail_word nck_decode_find_tool …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_whole
+#include "nck/base/real.h" // nck_real_of
 
 #include <stddef.h> // NULL
 
@@ -26,7 +27,7 @@ nck_status_t nck_decode_tool(nck_decode_t *self, nck_block_t *out) {
     const nck_status_t status = nck_decode_whole(self, 'T', NCK_DECODE_VALUE_MAX, 0, &number);
     if (status != NCK_OK) return status;
     if (!self->lathe || number < NCK_LATHE_TOOLS) {
-        return nck_decode_set_tool(self, (double)number, out);
+        return nck_decode_set_tool(self, nck_real_of(number), out);
     }
     // The turret turns at T itself, and the program waits for it; offset 00 ends the one in force.
     const uint32_t tool = (uint32_t)(number / NCK_LATHE_TOOLS);

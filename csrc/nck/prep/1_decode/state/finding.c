@@ -2,8 +2,10 @@
 // What is found in the text: the error of a line, and the queue of what is to be told.
 #include "nck/prep/1_decode/state/state.h"
 
-nck_status_t nck_decode_fail(nck_decode_t *self, nck_status_t code, unsigned column, int letter,
-                             double value, double limit) {
+#include "nck/base/real.h" // NCK_APART
+
+NCK_APART nck_status_t nck_decode_fail(nck_decode_t *self, nck_status_t code, unsigned column,
+                                       int letter, double value, double limit) {
     self->finding.error = (nck_diagnostic_t){code, self->line.tag, column, letter, value, limit};
     return code;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Blocks with all that is modal: what every one of them has, and those that hand something over.
 #include "nck/prep/1_decode/state/state.h"
+#include "nck/base/real.h" // nck_mm_of
 
 #include <stddef.h> // NULL
 #include <string.h> // memcpy memset
@@ -53,7 +54,7 @@ void nck_decode_block(const nck_decode_t *self, nck_block_kind_t kind, nck_block
     if (nck_decode_turns(self)) {
         out->spindle_rpm = self->modal.surface_on ? nck_decode_speed_most(self) : self->modal.speed;
         out->surface = self->modal.surface_on ? self->modal.surface : 0.0;
-        out->spindle_x_mm = (double)self->place.origin_nm[NCK_AXIS_X] / (double)NCK_COUNTS_PER_MM;
+        out->spindle_x_mm = nck_mm_of(self->place.origin_nm[NCK_AXIS_X]);
     }
     out->kind = (uint8_t)kind;
     out->plane = self->modal.plane;

@@ -5,6 +5,7 @@
 #include "nck/prep/1_decode/tongue/parts.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail_code nck_decode_fail_missing …
 #include "nck/prep/1_decode/number/number.h" // nck_decode_length_word nck_decode_letter …
+#include "nck/base/real.h" // nck_real_of
 
 #include <stddef.h> // NULL
 
@@ -66,7 +67,7 @@ static nck_status_t read_rounding(nck_decode_t *self) {
     int64_t value_nm = 0;
     const nck_status_t status = nck_decode_length_word(self, 'E', &value_nm);
     if (status != NCK_OK) return status;
-    const double value = (double)value_nm / (double)NCK_COUNTS_PER_MM;
+    const double value = nck_real_of(value_nm) / (double)NCK_COUNTS_PER_MM;
     if (value_nm < 0) return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'E', value, 0.0);
     set_tolerance(self, value);
     return NCK_EMPTY;
