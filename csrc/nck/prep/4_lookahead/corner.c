@@ -105,8 +105,6 @@ typedef struct crossing {
     uint32_t count;            // at the end of this junction, …
     nck_junction_t *in;        // … which is this one …
     const nck_junction_t *out; // … and the next one
-    double shorter;            // of both [path mm]
-    double even;               // of an even polygon: what the line before gains; else 0
     double beta;               // share that it may take
     double period;             // [s]
 } crossing_t;
@@ -173,13 +171,13 @@ static inline double even_gain(const nck_lookahead_t *self, const nck_junction_t
 
 // The junction is decided: how far the row of even ones is on its way to EVEN_LONGER. It does not
 // come to EVEN_LONG before it takes longer than a zone does.
-static inline void count_even(nck_lookahead_t *self, const crossing_t *crossing) {
+static inline void count_even(nck_lookahead_t *self, const nck_junction_t *in) {
     if (!NCK_HAS_POLYGONS) return;
     const double most = EVEN_LONG / NCK_ZONE_MARGIN / self->zone_s;
-    const double time = crossing->in->pace[NCK_PACE_OVER].time;
-    if (!(crossing->even > 0.0)) self->even = 0.0f;
+    const double time = in->pace[NCK_PACE_OVER].time;
+    if (!(self->next.even > 0.0)) self->even = 0.0f;
     else if (!(self->even >= (float)EVEN_LONGER)) {
-        self->even += (float)nck_min(crossing->even, most * time);
+        self->even += (float)nck_min(self->next.even, most * time);
     }
 }
 
@@ -200,16 +198,15 @@ static double share_most_jerk(const nck_lookahead_t *self, const nck_junction_t 
                                  nck_min(in->a_most, out->a_most), self->zone_s);
 }
 
-// What share a junction may take, and whether it is of an even polygon.
-static inline void set_share(const nck_lookahead_t *self, crossing_t *crossing) {
-    const nck_junction_t *const in = crossing->in;
-    const nck_junction_t *const out = crossing->out;
+// What share the next junction may take, and whether it is of an even polygon.
+static inline void set_share(nck_lookahead_t *self, const nck_junction_t *in,
+                             const nck_junction_t *out, double period) {
     if (self->terms->limits_jerk) {
-        crossing->beta = share_most_jerk(self, in, out);
+        self->next.beta = share_most_jerk(self, in, out);
         return;
     }
-    if (NCK_HAS_POLYGONS) crossing->even = even_gain(self, in, out, crossing->period);
-    crossing->beta = share_most_linear(self, crossing->even);
+    if (NCK_HAS_POLYGONS) self->next.even = even_gain(self, in, out, period);
+    self->next.beta = share_most_linear(self, self->next.even);
 }
 
 // Speed and share of a junction that shares a period with others; alone it is crossed at v.
@@ -250,44 +247,64 @@ static nck_status_t decide_near(nck_lookahead_t *self, const crossing_t *crossin
     return status == NCK_OK ? decide_crowd(self, crossing, &walk, pace, v, a_t) : status;
 }
 
-// Speed and share at a pace of a junction with a load that is crossed alone at v.
-static inline nck_status_t decide_pace(nck_lookahead_t *self, const crossing_t *crossing, int pace,
-                                       double v) {
-    const double period = crossing->period;
-    const double reach = (v + self->a_any * period) * period;
-    if (!(crossing->shorter < reach)) {
+// How near a junction that is crossed at v has others with which it can share a period.
+static inline double reach_at(const nck_lookahead_t *self, double v, double period) {
+    return (v + self->a_any * period) * period;
+}
+
+// Speed and share at a pace of a junction with a load.
+static inline nck_status_t decide_pace(nck_lookahead_t *self, const crossing_t *crossing,
+                                       int pace) {
+    const double v = self->next.v[pace];
+    const double reach = reach_at(self, v, crossing->period);
+    if (!(nck_min(crossing->in->length, crossing->out->length) < reach)) {
         settle_alone(self, crossing, pace, v);
         return NCK_OK;
     }
-    // A neighbour that hangs on a seg still to come may be nearer: no walk so far would come to an
-    // end, and none is begun.
-    const int is_last = crossing->count + 2 == self->junction.head;
-    if (is_last && !self->ended && crossing->out->length < reach) return NCK_EMPTY;
     return decide_near(self, crossing, pace, v, reach);
+}
+
+// The next junction, between two known segs, has a load: what it is crossed at alone, at both
+// paces. Where a neighbour that hangs on a seg still to come may be nearer no walk so far would
+// come to an end, and none is begun.
+static void weigh(nck_lookahead_t *self) {
+    const uint32_t count = self->junction.decided;
+    const nck_junction_t *const in = nck_junction_at(self, count);
+    const nck_junction_t *const out = nck_junction_at(self, count + 1);
+    const double period = self->terms->machine->period_s;
+    set_share(self, in, out, period);
+    const double most = nck_corner_speed_alone(self->next.beta, in->load, period);
+    for (int k = 0; k < NCK_PACES; k++) {
+        self->next.v[k] = nck_min(most, nck_min(in->pace[k].v, out->pace[k].v));
+    }
+    self->next.is_weighed = 1;
+    if (count + 2 != self->junction.head || self->ended) return;
+    const double reach = reach_at(self, self->next.v[NCK_PACE_OVER], period);
+    if (out->length < reach) self->junction.known = self->junction.head;
 }
 
 // A junction between two known segs, at both paces, which mean the same where only the junction
 // limits the speed. The faster one reaches further: it tells first whether enough is known. A stop
 // takes no share.
-static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count, nck_junction_t *junction) {
-    const nck_junction_t *const out = nck_junction_at(self, count + 1);
-    const double period = self->terms->machine->period_s;
-    crossing_t crossing = {count, junction, out, nck_min(junction->length, out->length), 0.0, 0.0,
-                           period};
-    set_share(self, &crossing);
-    const double most = nck_corner_speed_alone(crossing.beta, junction->load, period);
+static nck_status_t decide_corner(nck_lookahead_t *self, nck_junction_t *junction) {
+    const uint32_t count = self->junction.decided;
+    if (!self->next.is_weighed) weigh(self);
+    if (self->junction.known == self->junction.head && !self->ended) return NCK_EMPTY;
+    const crossing_t crossing = {count, junction, nck_junction_at(self, count + 1),
+                                 self->next.beta, self->terms->machine->period_s};
     nck_pace_t *const pace = junction->pace;
-    double v[NCK_PACES];
-    for (int k = 0; k < NCK_PACES; k++) v[k] = nck_min(most, nck_min(pace[k].v, out->pace[k].v));
-    nck_status_t status = decide_pace(self, &crossing, NCK_PACE_OVER, v[NCK_PACE_OVER]);
-    if (status == NCK_OK && v[NCK_PACE_FEED] == v[NCK_PACE_OVER]) {
+    nck_status_t status = decide_pace(self, &crossing, NCK_PACE_OVER);
+    if (status == NCK_OK && self->next.v[NCK_PACE_FEED] == self->next.v[NCK_PACE_OVER]) {
         pace[NCK_PACE_FEED].v_corner = pace[NCK_PACE_OVER].v_corner;
         pace[NCK_PACE_FEED].share = pace[NCK_PACE_OVER].share;
     } else if (status == NCK_OK) {
-        status = decide_pace(self, &crossing, NCK_PACE_FEED, v[NCK_PACE_FEED]);
+        status = decide_pace(self, &crossing, NCK_PACE_FEED);
     }
-    if (status != NCK_OK) return status;
-    if (!self->terms->limits_jerk) count_even(self, &crossing);
+    if (status != NCK_OK) {
+        self->junction.known = self->junction.head;
+        return status;
+    }
+    if (!self->terms->limits_jerk) count_even(self, junction);
     for (int k = 0; k < NCK_PACES && (junction->end & NCK_JUNCTION_STOP); k++) {
         pace[k].v_corner = 0.0;
         pace[k].share = 0.0;
@@ -295,17 +312,19 @@ static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count, nck_jun
     return NCK_OK;
 }
 
+// Whether it can be decided is known at once where both its segs are.
 nck_status_t nck_corner_decide(nck_lookahead_t *self) {
-    const uint32_t count = self->junction.decided;
-    nck_junction_t *const junction = nck_junction_at(self, count);
-    if (count + 1 == self->junction.head) junction->end |= NCK_JUNCTION_STOP;
+    nck_junction_t *const junction = nck_junction_at(self, self->junction.decided);
+    if (self->junction.decided + 1 == self->junction.head) junction->end |= NCK_JUNCTION_STOP;
     if (junction->load > 0.0) {
-        const nck_status_t status = decide_corner(self, count, junction);
-        if (status == NCK_EMPTY) self->junction.known = self->junction.head;
+        const nck_status_t status = decide_corner(self, junction);
         if (status != NCK_OK) return status;
     } else if (junction->end & NCK_JUNCTION_STOP) {
         self->even = 0.0f;
     }
     self->junction.decided++;
+    self->next.is_weighed = 0;
+    const int has_out = self->junction.settled - self->junction.decided > 1;
+    if (has_out && nck_junction_at(self, self->junction.decided)->load > 0.0) weigh(self);
     return NCK_OK;
 }

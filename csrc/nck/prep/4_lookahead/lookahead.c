@@ -18,9 +18,9 @@ enum {
 };
 
 void nck_lookahead_init(nck_lookahead_t *self, const nck_terms_t *terms) {
-    const size_t before = offsetof(nck_lookahead_t, before);
+    const size_t before = offsetof(nck_lookahead_t, next);
     memset(self, 0, offsetof(nck_lookahead_t, junction.at)); // what rings hold is read once written
-    memset(&self->before, 0, offsetof(nck_lookahead_t, window.at) - before);
+    memset(&self->next, 0, offsetof(nck_lookahead_t, window.at) - before);
     self->terms = terms;
     nck_lookahead_adapt(self);
     self->before_limit = NCK_LIMIT_EXACT_STOP;
@@ -29,6 +29,7 @@ void nck_lookahead_init(nck_lookahead_t *self, const nck_terms_t *terms) {
 void nck_lookahead_adapt(nck_lookahead_t *self) {
     self->a_any = nck_junction_a_any(self->terms->machine);
     self->zone_s = nck_zone_s(self->terms);
+    self->next.is_weighed = 0;
 }
 
 nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg) {
@@ -45,7 +46,9 @@ nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg) {
     if (self->junction.head > 0) nck_corner_meet(before, junction, tangent, start, self->terms);
     memcpy(tangent, end, sizeof end);
     self->junction.head++;
-    nck_near_set_out(junction, nck_near_entered_at(self, self->junction.head - 1));
+    if (self->terms->limits_jerk) {
+        nck_near_set_out(junction, nck_near_entered_at(self, self->junction.head - 1));
+    }
     return NCK_OK;
 }
 

@@ -104,6 +104,14 @@ typedef struct nck_lookahead {
         nck_junction_t at[NCK_JUNCTION_MAX];
     } junction;
 
+    // the next junction to decide, if it is weighed: what it may take, with no other near it
+    struct {
+        uint32_t is_weighed;  // 1: its segs are known, and …
+        double even;          // … of an even polygon: what the line before gains; else 0
+        double beta;          // share that it may take
+        double v[NCK_PACES];  // that it is crossed at [path mm/s]
+    } next;
+
     // the piece before the next node; caps are 0 after a stop
     struct {
         double vv;        // cap at 100 %, v²
