@@ -99,6 +99,7 @@ typedef struct nck_lookahead {
         uint32_t decided; // junctions with v_corner and share
         uint32_t placed;  // segs turned into nodes
         uint32_t known;   // head when the next junction could not be decided for want of segs
+        uint32_t dense;   // from this one on all settled segs are of a dense row (zone.h)
         uint32_t tried;   // settled + decided when the next seg was to be placed in vain
         double tangent[NCK_AXIS_MAX]; // at the end of the last seg
         nck_junction_t at[NCK_JUNCTION_MAX];

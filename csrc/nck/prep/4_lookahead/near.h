@@ -4,6 +4,7 @@
 #define NCK_PREP_NEAR_H
 
 #include "nck/prep/4_lookahead/junction.h" // nck_lookahead_t nck_junction_t nck_junction_at
+#include "nck/prep/4_lookahead/zone.h"     // nck_zone_count_dense
 
 // The least limits so near to a seg's start or end that the slope's filter mixes them with its own.
 typedef struct nck_near {
@@ -35,7 +36,9 @@ static inline void nck_near_set_out(nck_junction_t *junction, double vv_in) {
 static inline void nck_near_settle(nck_lookahead_t *self) {
     const uint32_t count = self->junction.settled;
     const double vv_in = self->terms->limits_jerk ? nck_near_entered_at(self, count) : 0.0;
-    nck_junction_settle(nck_junction_at(self, count), vv_in, self->terms);
+    nck_junction_t *const junction = nck_junction_at(self, count);
+    nck_junction_settle(junction, vv_in, self->terms);
+    nck_zone_count_dense(self, junction);
     self->junction.settled++;
 }
 

@@ -66,6 +66,20 @@ static inline int nck_zone_pass(nck_zone_reach_t *reach, const nck_junction_t *j
 // Cost: constant.
 void nck_zone_cut_off(nck_zone_reach_t *reach, const nck_lookahead_t *self, double share);
 
+// Without a jerk limit: 1 if NCK_CORNER_SPAN segs from this one on take so little time that a walk
+// along them is cut off, whatever it meets: a row of them is never an even polygon, whose junctions
+// alone get more than is assumed then. Cost: constant.
+static inline int nck_zone_is_dense(const nck_lookahead_t *self, uint32_t first) {
+    return (int32_t)(first - self->junction.dense) >= 0;
+}
+
+// The next seg is settled: whether it goes on with such a row. Cost: constant.
+static inline void nck_zone_count_dense(nck_lookahead_t *self, const nck_junction_t *junction) {
+    const double least = NCK_CORNER_SPAN * NCK_ZONE_MARGIN * junction->pace[NCK_PACE_FEED].time;
+    const int is_dense = least < self->zone_s && junction->kind < NCK_SEG_DWELL;
+    if (!is_dense || self->terms->limits_jerk) self->junction.dense = self->junction.settled + 1;
+}
+
 // The largest share that junctions use, by pace, so near before (after) the seg's start (end) that
 // it must be kept free there. before: of the next seg that is placed. after: NCK_EMPTY if junctions
 // are not decided that far.
@@ -73,8 +87,9 @@ void nck_zone_cut_off(nck_zone_reach_t *reach, const nck_lookahead_t *self, doub
 static inline void nck_zone_shares_before(nck_lookahead_t *self, uint32_t count,
                                           nck_zone_reach_t *reach) {
     const nck_zone_reach_t begin = {{0.0, 0.0}, {0.0, 0.0}, NCK_UNLIMITED};
+    const int is_dense = nck_zone_is_dense(self, count - NCK_CORNER_SPAN);
     *reach = begin;
-    for (uint32_t n = 0; n < NCK_CORNER_SPAN; n++) {
+    for (uint32_t n = is_dense ? NCK_CORNER_SPAN : 0; n < NCK_CORNER_SPAN; n++) {
         if (count == 0) return;
         count--;
         const nck_junction_t *const junction = nck_junction_at(self, count);
@@ -89,8 +104,10 @@ static inline nck_status_t nck_zone_shares_after(nck_lookahead_t *self, uint32_t
                                                  nck_zone_reach_t *reach) {
     const nck_zone_reach_t begin = {{0.0, 0.0}, {0.0, 0.0}, NCK_UNLIMITED};
     const nck_junction_t *junction = nck_junction_at(self, count);
+    const int is_dense = nck_zone_is_dense(self, count) && !self->ended;
+    if (is_dense && self->junction.decided - count < NCK_CORNER_SPAN) return NCK_EMPTY;
     *reach = begin;
-    for (uint32_t n = 0; n < NCK_CORNER_SPAN; n++) {
+    for (uint32_t n = is_dense ? NCK_CORNER_SPAN : 0; n < NCK_CORNER_SPAN; n++) {
         if (count == self->junction.decided) return NCK_EMPTY;
         nck_zone_meet(reach, junction, self->zone_s);
         if (nck_zone_parts(junction, self->zone_s)) return NCK_OK;
