@@ -10,17 +10,16 @@
 // One direction of a walk along the junctions, away from the one in the middle.
 typedef struct nck_side {
     uint32_t at;        // the next neighbour
-    uint32_t steps;     // neighbours so far
     double x;           // its distance [mm]; of an unknown one, the least that it can be;
                         // NCK_UNLIMITED: there are no more
 } nck_side_t;
 
 // A walk in both directions.
 typedef struct nck_walk {
+    uint32_t count;     // the junction in the middle
     nck_side_t ahead;
     nck_side_t behind;
     double cut;         // where a side was cut off at NCK_CORNER_SPAN neighbours [mm]
-    int is_unknown;     // 1: the load of the next one ahead hangs on a seg that is still to come
 } nck_walk_t;
 
 // No more neighbours are looked at on a side. Cost: constant.
@@ -29,31 +28,33 @@ static inline void nck_walk_cut(nck_walk_t *walk, nck_side_t *side) {
     side->x = NCK_UNLIMITED;
 }
 
-// One neighbour further ahead. A junction's load is known once the seg behind it is; nothing is
-// shared across a rest. Cost: constant.
+// One neighbour further ahead; nothing is shared across a rest. Cost: constant.
 static inline void nck_walk_ahead(nck_lookahead_t *self, nck_walk_t *walk) {
     nck_side_t *const side = &walk->ahead;
-    if (side->steps >= NCK_CORNER_SPAN) {
+    if (side->at - walk->count >= NCK_CORNER_SPAN) {
         nck_walk_cut(walk, side);
         return;
     }
-    side->steps++;
     side->at++;
     if (side->at == self->junction.head) {
-        walk->is_unknown = !self->ended;
         if (self->ended) side->x = NCK_UNLIMITED;
         return;
     }
     const nck_junction_t *const junction = nck_junction_at(self, side->at);
     side->x += junction->length;
-    walk->is_unknown = side->at + 1 == self->junction.head && !self->ended;
     if (nck_zone_parts(junction, self->zone_s)) side->x = NCK_UNLIMITED;
+}
+
+// 1 if the load of the next one ahead hangs on a seg that is still to come: a junction's is known
+// once the seg behind it is. Cost: constant.
+static inline int nck_walk_is_unknown(const nck_lookahead_t *self, const nck_walk_t *walk) {
+    return self->junction.head - walk->ahead.at <= 1 && !self->ended;
 }
 
 // One neighbour further behind. Cost: constant.
 static inline void nck_walk_behind(nck_lookahead_t *self, nck_walk_t *walk) {
     nck_side_t *const side = &walk->behind;
-    if (side->steps >= NCK_CORNER_SPAN) {
+    if (walk->count - side->at >= NCK_CORNER_SPAN) {
         nck_walk_cut(walk, side);
         return;
     }
@@ -62,13 +63,13 @@ static inline void nck_walk_behind(nck_lookahead_t *self, nck_walk_t *walk) {
         return;
     }
     side->x += nck_junction_at(self, side->at)->length;
-    side->steps++;
     side->at--;
 }
 
 // Stand at the junction `count`. Cost: constant.
 static inline void nck_walk_begin(nck_lookahead_t *self, nck_walk_t *walk, uint32_t count) {
-    const nck_side_t here = {count, 0, 0.0};
+    const nck_side_t here = {count, 0.0};
+    walk->count = count;
     walk->ahead = here;
     walk->behind = here;
     walk->cut = NCK_UNLIMITED;
@@ -83,7 +84,7 @@ static inline nck_status_t nck_walk_next(nck_lookahead_t *self, nck_walk_t *walk
     const int forth = walk->ahead.x <= walk->behind.x;
     const nck_side_t *const side = forth ? &walk->ahead : &walk->behind;
     if (side->x >= reach) return NCK_DONE;
-    if (forth && walk->is_unknown) return NCK_EMPTY;
+    if (forth && nck_walk_is_unknown(self, walk)) return NCK_EMPTY;
     *junction_out = nck_junction_at(self, side->at);
     *x_out = side->x;
     if (forth) {
