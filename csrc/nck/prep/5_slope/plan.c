@@ -8,6 +8,9 @@ enum { SEGS_LEAST = 2 }; // that a look-ahead of several blocks sees
 
 uint32_t nck_plan_find(const nck_pieces_t *pieces, uint32_t number, const nck_cell_t *cell) {
     const uint32_t last = pieces->head + pieces->fill - 1;
+    // Every seg has a piece at least.
+    const uint32_t segs = cell->seg - nck_plan_there(pieces, number)->seg;
+    if ((int32_t)segs > 0 && (int32_t)(last - number - segs) >= 0) number += segs;
     nck_node_t *piece = nck_plan_there(pieces, number);
     for (; (int32_t)(last - number) > 0; number++) {
         nck_node_t *const next = nck_plan_behind(pieces, piece);
