@@ -434,8 +434,8 @@ nck_status_t nck_interpolate_take(nck_interpolate_t *self, nck_cell_t *cell_out)
     nck_link_seg_finish(link, self->cell.last ? seg + 1 : self->cell.seg);
     nck_fence_store(&self->has_cell, 0);
     self->from_tail = 0;
+    if (!self->rests) begin_to_count(self);
     self->rests = 1;
-    begin_to_count(self);
     *cell_out = self->cell;
     return NCK_OK;
 }
