@@ -322,6 +322,7 @@ typedef struct ground {
     int begun;               // 1: what follows is known
     int alone;               // 1: the piece goes from rest to rest: several cells are wanted
     double step;             // of the ladder at its cap [mm]
+    double joined;           // no step is less, and with it the piece shares a cell; 0: it may not
 } ground_t;
 
 static void look(const nck_jerk_t *self, const nck_pieces_t *pieces, ground_t *ground) {
@@ -346,8 +347,12 @@ static void begin_ground(nck_jerk_t *self, ground_t *ground, double x, double le
         self->work.vv_entry = nck_min(vv_node, self->work.vv_entry);
     }
     rungs->vv0 = self->work.vv_entry;
-    if (x == 0.0 || self->work.far == NCK_JERK_UNKNOWN) find_far(self, rungs, x, left);
+    const double least = nck_min(rungs->vv, nck_min(rungs->vv0, rungs->vv1));
+    const double slowest = self->work.pending > 0.0 ? self->step_s * nck_sqrt(least) : 0.0;
+    ground->joined = x == 0.0 && joins_pending(self, ground->view.piece, slowest) ? slowest : 0.0;
     ground->alone = rungs->vv0 == 0.0 && rungs->vv1 == 0.0;
+    if (ground->joined > 0.0) return;
+    if (x == 0.0 || self->work.far == NCK_JERK_UNKNOWN) find_far(self, rungs, x, left);
     ground->step = self->step_s * nck_sqrt(rungs->vv);
     ground->begun = 1;
 }
@@ -355,6 +360,7 @@ static void begin_ground(nck_jerk_t *self, ground_t *ground, double x, double le
 // How long the next cell is to be, as the ladder has it; short pieces share it [mm].
 static double next_step(const nck_jerk_t *self, const ground_t *ground, double x, double left) {
     const double off = nck_min(x - self->work.far_s, left);
+    if (ground->joined > 0.0) return ground->joined;
     return off > self->work.far ? far_step(self, ground->step, off, left)
                                 : nck_ladder_step(&ground->rungs, x, left, self->step_s);
 }
