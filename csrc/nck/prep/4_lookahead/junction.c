@@ -218,10 +218,10 @@ static double jerk_on_arc(const nck_junction_arc_t *arc, double v, double a) {
 
 // An arc's curvature caps the speed, and what it uses of the acceleration at the speed allowed is
 // lost to the tangential one.
-static void limit_on_arc(const nck_junction_t *junction, double beta, const nck_terms_t *terms,
+static void limit_on_arc(const nck_junction_t *junction, double left, const nck_terms_t *terms,
                          nck_piece_limit_t *piece) {
     const nck_junction_arc_t *const arc = &junction->shape.arc;
-    const double vv_curve = nck_limit_curve(arc->a_plane, arc->kappa, beta);
+    const double vv_curve = nck_limit_curve(arc->a_plane, arc->kappa, left);
     piece->vv_free = nck_min(piece->vv_free, vv_curve);
     if (vv_curve < piece->vv) {
         piece->vv = vv_curve;
@@ -229,7 +229,7 @@ static void limit_on_arc(const nck_junction_t *junction, double beta, const nck_
     }
     const double vv = nck_min(vv_curve, raised(piece->vv, terms->v_filter));
     const double a_arc =
-        nck_limit_arc_accel((1.0 - beta) * arc->a_plane, vv * arc->kappa, arc->cos_lambda);
+        nck_limit_arc_accel(left * arc->a_plane, vv * arc->kappa, arc->cos_lambda);
     piece->a = nck_min(piece->a, a_arc);
     if (!terms->limits_jerk) return;
     piece->a = nck_min(piece->a, ramp_on_arc(arc, arc_speed(junction, piece->vv, terms)));
@@ -238,9 +238,9 @@ static void limit_on_arc(const nck_junction_t *junction, double beta, const nck_
 // The tangential jerk left on an arc at a pace, which is least where no junction takes a share:
 // then the speed and, where not the jerk itself limits it, the acceleration are highest.
 static void settle_arc(const nck_junction_t *junction, nck_pace_t *at, const nck_terms_t *terms) {
-    nck_piece_limit_t piece = {at->v * at->v, 0.0, nck_junction_straight(junction, 0.0), at->j,
+    nck_piece_limit_t piece = {at->v * at->v, 0.0, nck_junction_straight(junction, 1.0), at->j,
                                junction->limit};
-    limit_on_arc(junction, 0.0, terms, &piece);
+    limit_on_arc(junction, 1.0, terms, &piece);
     const double v = arc_speed(junction, piece.vv, terms);
     at->j = nck_min(at->j, jerk_on_arc(&junction->shape.arc, v, piece.a));
 }
@@ -267,11 +267,11 @@ void nck_junction_settle_more(nck_junction_t *junction, double vv_in, const nck_
     }
 }
 
-nck_piece_limit_t nck_junction_curved(const nck_junction_t *junction, double beta, int pace,
+nck_piece_limit_t nck_junction_curved(const nck_junction_t *junction, double left, int pace,
                                       const nck_terms_t *terms) {
     const nck_pace_t *const at = &junction->pace[pace];
     nck_piece_limit_t piece = {at->v * at->v, junction->v_free * junction->v_free,
-                               nck_junction_straight(junction, beta), at->j, junction->limit};
-    if (is_curved(junction)) limit_on_arc(junction, beta, terms, &piece);
+                               nck_junction_straight(junction, left), at->j, junction->limit};
+    if (is_curved(junction)) limit_on_arc(junction, left, terms, &piece);
     return piece;
 }

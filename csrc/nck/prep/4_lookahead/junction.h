@@ -9,7 +9,8 @@
 #include "nck/base/real.h"                  // nck_min
 #include "nck/prep/4_lookahead/lookahead.h" // nck_lookahead_t nck_junction_t
 
-// What a piece of a seg may do when junctions nearby use the share beta of the acceleration.
+// What a piece of a seg may do where junctions nearby leave so much of the acceleration: `left` is
+// 1 − β.
 typedef struct nck_piece_limit {
     double vv;      // v² cap at the pace
     double vv_free; // v² cap by everything but the feed
@@ -72,39 +73,40 @@ static inline void nck_junction_settle(nck_junction_t *junction, double vv_in,
     if (terms->limits_jerk) nck_junction_settle_more(junction, vv_in, terms);
 }
 
-// What the axes leave to a line's acceleration, or to an arc's outside of its plane, under beta.
+// What the axes leave to a line's acceleration, or to an arc's outside of its plane.
 // Cost: constant.
-static inline double nck_junction_straight(const nck_junction_t *junction, double beta) {
-    return nck_min(junction->a_most, (1.0 - beta) * junction->shape.arc.a_straight);
+static inline double nck_junction_straight(const nck_junction_t *junction, double left) {
+    return nck_min(junction->a_most, left * junction->shape.arc.a_straight);
 }
 
 // The largest tangential acceleration anywhere on a seg, when its junctions are known: a line's may
 // have come down. Cost: constant.
 static inline double nck_junction_most(const nck_junction_t *junction) {
-    return junction->kind == NCK_SEG_LINE ? nck_junction_straight(junction, 0.0) : junction->a_most;
+    if (junction->kind != NCK_SEG_LINE) return junction->a_most;
+    return nck_min(junction->a_most, junction->shape.arc.a_straight);
 }
 
 // nck_junction_piece of an arc, whose bend costs of the speed and of the acceleration.
 // Cost: constant.
-nck_piece_limit_t nck_junction_curved(const nck_junction_t *junction, double beta, int pace,
+nck_piece_limit_t nck_junction_curved(const nck_junction_t *junction, double left, int pace,
                                       const nck_terms_t *terms);
 
-// Limits in a piece of the settled seg at a pace (NCK_PACE_…), under the share beta.
+// Limits in a piece of the settled seg at a pace (NCK_PACE_…).
 // Cost: constant.
-static inline nck_piece_limit_t nck_junction_piece(const nck_junction_t *junction, double beta,
+static inline nck_piece_limit_t nck_junction_piece(const nck_junction_t *junction, double left,
                                                    int pace, const nck_terms_t *terms) {
-    if (junction->kind != NCK_SEG_LINE) return nck_junction_curved(junction, beta, pace, terms);
+    if (junction->kind != NCK_SEG_LINE) return nck_junction_curved(junction, left, pace, terms);
     const nck_pace_t *const at = &junction->pace[pace];
     const nck_piece_limit_t piece = {at->v * at->v, junction->v_free * junction->v_free,
-                                     nck_junction_straight(junction, beta), at->j, junction->limit};
+                                     nck_junction_straight(junction, left), at->j, junction->limit};
     return piece;
 }
 
 // The acceleration of nck_junction_piece alone. Cost: constant.
-static inline double nck_junction_accel(const nck_junction_t *junction, double beta, int pace,
+static inline double nck_junction_accel(const nck_junction_t *junction, double left, int pace,
                                         const nck_terms_t *terms) {
-    if (junction->kind == NCK_SEG_LINE) return nck_junction_straight(junction, beta);
-    return nck_junction_piece(junction, beta, pace, terms).a;
+    if (junction->kind == NCK_SEG_LINE) return nck_junction_straight(junction, left);
+    return nck_junction_piece(junction, left, pace, terms).a;
 }
 
 #endif

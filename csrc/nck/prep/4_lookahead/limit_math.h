@@ -41,10 +41,10 @@ static inline nck_real nck_limit_chord(nck_real r, nck_real delta, nck_real peri
     return 2.0 / period * nck_sqrt(2.0 * r * d - d * d);
 }
 
-// Centripetal acceleration on curvature κ > 0 with the axes' a and the corner's share β:
+// Centripetal acceleration on curvature κ > 0 with the axes' a; left: what the corner leaves of it:
 //   v² ≤ 0.8·(1 − β)·a/κ
-static inline nck_real nck_limit_curve(nck_real a, nck_real kappa, nck_real beta) {
-    return NCK_CURVE_SHARE * (1.0 - beta) * a / kappa;
+static inline nck_real nck_limit_curve(nck_real a, nck_real kappa, nck_real left) {
+    return NCK_CURVE_SHARE * left * a / kappa;
 }
 
 // An arc whose in-plane acceleration is v²κ at the path speed v (κ = cos²λ/r, λ: pitch angle of a

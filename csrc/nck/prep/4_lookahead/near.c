@@ -27,7 +27,7 @@ static void pass(nck_near_t *near, walked_t *walked, const nck_junction_t *junct
     walked->gained += 2.0 * a * junction->length;
 }
 
-void nck_near_before(nck_lookahead_t *self, uint32_t count, int pace, double beta,
+void nck_near_before(nck_lookahead_t *self, uint32_t count, int pace, double left,
                      nck_near_t *near_out) {
     const nck_near_t unlimited = {NCK_UNLIMITED, NCK_UNLIMITED, 1.0, NCK_UNLIMITED};
     walked_t walked = {0.0, 0.0, 0.0};
@@ -39,14 +39,14 @@ void nck_near_before(nck_lookahead_t *self, uint32_t count, int pace, double bet
         meet(near_out, &walked, rests ? 0.0 : junction->pace[pace].v_corner);
         if (rests) return;
         count--;
-        const double a = nck_junction_accel(junction, beta, pace, self->terms);
+        const double a = nck_junction_accel(junction, left, pace, self->terms);
         pass(near_out, &walked, junction, a, pace);
         if (walked.least >= self->terms->mix_s) return;
     }
     near_out->slow = walked.time / self->terms->mix_s;
 }
 
-nck_status_t nck_near_after(nck_lookahead_t *self, uint32_t count, int pace, double beta,
+nck_status_t nck_near_after(nck_lookahead_t *self, uint32_t count, int pace, double left,
                             nck_near_t *near_out) {
     const nck_near_t unlimited = {NCK_UNLIMITED, NCK_UNLIMITED, 1.0, NCK_UNLIMITED};
     walked_t walked = {0.0, 0.0, 0.0};
@@ -62,7 +62,7 @@ nck_status_t nck_near_after(nck_lookahead_t *self, uint32_t count, int pace, dou
         meet(near_out, &walked, rests ? 0.0 : junction->pace[pace].v_corner);
         if (rests) return NCK_OK;
         junction = next;
-        const double a = nck_junction_accel(junction, beta, pace, self->terms);
+        const double a = nck_junction_accel(junction, left, pace, self->terms);
         pass(near_out, &walked, junction, a, pace);
         if (walked.least >= self->terms->mix_s) return NCK_OK;
     }

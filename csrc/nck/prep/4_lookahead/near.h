@@ -42,11 +42,11 @@ static inline void nck_near_settle(nck_lookahead_t *self) {
     self->junction.settled++;
 }
 
-// The least limits, under the share beta, near a seg's start (end), its own apart.
+// The least limits, with what junctions leave, near a seg's start (end), its own apart.
 // after: NCK_EMPTY if segs are not settled that far. Cost: NCK_NEAR_SPAN neighbours at most.
-void nck_near_before(nck_lookahead_t *self, uint32_t count, int pace, double beta,
+void nck_near_before(nck_lookahead_t *self, uint32_t count, int pace, double left,
                      nck_near_t *near_out);
-nck_status_t nck_near_after(nck_lookahead_t *self, uint32_t count, int pace, double beta,
+nck_status_t nck_near_after(nck_lookahead_t *self, uint32_t count, int pace, double left,
                             nck_near_t *near_out);
 
 #endif

@@ -97,7 +97,7 @@ static inline nck_piece_limit_t limits_of(const nck_lookahead_t *self,
                                           int pace) {
     const nck_near_t *const near = &around->near[pace];
     nck_piece_limit_t piece =
-        nck_junction_piece(junction, around->share[pace], pace, self->terms);
+        nck_junction_piece(junction, 1.0 - around->share[pace], pace, self->terms);
     if (!self->terms->limits_jerk) return piece;
     piece.a = nck_min(piece.a, near->a);
     piece.j = nck_min(piece.j, near->j);
@@ -236,7 +236,7 @@ static double zone_length(nck_lookahead_t *self, const nck_junction_t *junction,
 static inline int is_tighter(const nck_lookahead_t *self, const nck_junction_t *junction,
                              const around_t *around) {
     if (around->share[NCK_PACE_FEED] > SPLIT_SHARE) return 1;
-    const nck_piece_limit_t own = nck_junction_piece(junction, 0.0, NCK_PACE_FEED, self->terms);
+    const nck_piece_limit_t own = nck_junction_piece(junction, 1.0, NCK_PACE_FEED, self->terms);
     const nck_near_t *const near = &around->near[NCK_PACE_FEED];
     return near->a < (1.0 - SPLIT_SHARE) * own.a || near->j < (1.0 - SPLIT_SHARE) * own.j;
 }
@@ -362,10 +362,10 @@ static nck_status_t look_around(nck_lookahead_t *self, uint32_t count, around_t 
     for (int k = 0; k < NCK_PACES; k++) ends[0].share[k] = before.share[k];
     if (!self->terms->limits_jerk) return NCK_OK;
     for (int k = 0; k < NCK_PACES; k++) {
-        const double beta = nck_max(ends[0].share[k], ends[1].share[k]);
-        const nck_status_t status = nck_near_after(self, count, k, beta, &ends[1].near[k]);
+        const double left = 1.0 - nck_max(ends[0].share[k], ends[1].share[k]);
+        const nck_status_t status = nck_near_after(self, count, k, left, &ends[1].near[k]);
         if (status != NCK_OK) return status;
-        nck_near_before(self, count, k, beta, &ends[0].near[k]);
+        nck_near_before(self, count, k, left, &ends[0].near[k]);
     }
     return NCK_OK;
 }
