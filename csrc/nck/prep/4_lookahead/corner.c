@@ -102,10 +102,8 @@ void nck_corner_meet(nck_junction_t *in, nck_junction_t *out, const double *tang
 
 // A junction that is decided, between two known segs.
 typedef struct crossing {
-    uint32_t count;            // at the end of this junction, …
-    nck_junction_t *in;        // … which is this one …
+    nck_junction_t *in;        // at the end of this junction …
     const nck_junction_t *out; // … and the next one
-    double beta;               // share that it may take
     double period;             // [s]
 } crossing_t;
 
@@ -130,19 +128,12 @@ static nck_status_t largest_gain(nck_lookahead_t *self, const crossing_t *crossi
 // is too fast for is stopped at.
 static void settle(const nck_lookahead_t *self, const crossing_t *crossing, int pace, double v,
                    double share) {
-    const double most = self->terms->limits_jerk ? NCK_CORNER_SHARE_LONE : crossing->beta;
+    const double most = self->terms->limits_jerk ? NCK_CORNER_SHARE_LONE : self->next.beta;
     nck_junction_t *const junction = crossing->in;
     nck_pace_t *const at = &junction->pace[pace];
     at->v_corner = v;
     at->share = nck_min(most, nck_max(0.0, share));
     if (share > most && v < self->terms->v_filter) junction->end |= NCK_JUNCTION_STOP;
-}
-
-static inline void settle_alone(nck_lookahead_t *self, const crossing_t *crossing, int pace,
-                                double v) {
-    const double v_true = nck_max(v, self->terms->v_filter);
-    settle(self, crossing, pace, v,
-           nck_corner_share_alone(v_true, crossing->in->load, crossing->period));
 }
 
 // Lines in sight, if all are as long.
@@ -225,7 +216,7 @@ static nck_status_t decide_crowd(nck_lookahead_t *self, const crossing_t *crossi
         if (status != NCK_OK) break;
         others_d += neighbour->load;
         others_dx += neighbour->load * x;
-        const double v_crowd = nck_corner_speed(crossing->beta, d + others_d, others_d, others_dx,
+        const double v_crowd = nck_corner_speed(self->next.beta, d + others_d, others_d, others_dx,
                                                 a_t, period);
         v = nck_min(v, v_crowd);
     }
@@ -242,7 +233,7 @@ static nck_status_t decide_near(nck_lookahead_t *self, const crossing_t *crossin
                                 double v, double reach) {
     double a_t = 0.0;
     nck_walk_t walk;
-    nck_walk_begin(self, &walk, crossing->count);
+    nck_walk_begin(self, &walk, self->junction.decided);
     const nck_status_t status = largest_gain(self, crossing, &walk, reach, &a_t);
     return status == NCK_OK ? decide_crowd(self, crossing, &walk, pace, v, a_t) : status;
 }
@@ -258,7 +249,9 @@ static inline nck_status_t decide_pace(nck_lookahead_t *self, const crossing_t *
     const double v = self->next.v[pace];
     const double reach = reach_at(self, v, crossing->period);
     if (!(nck_min(crossing->in->length, crossing->out->length) < reach)) {
-        settle_alone(self, crossing, pace, v);
+        const double v_true = nck_max(v, self->terms->v_filter);
+        settle(self, crossing, pace, v,
+               nck_corner_share_alone(v_true, crossing->in->load, crossing->period));
         return NCK_OK;
     }
     return decide_near(self, crossing, pace, v, reach);
@@ -287,11 +280,10 @@ static void weigh(nck_lookahead_t *self) {
 // limits the speed. The faster one reaches further: it tells first whether enough is known. A stop
 // takes no share.
 static nck_status_t decide_corner(nck_lookahead_t *self, nck_junction_t *junction) {
-    const uint32_t count = self->junction.decided;
     if (!self->next.is_weighed) weigh(self);
     if (self->junction.known == self->junction.head && !self->ended) return NCK_EMPTY;
-    const crossing_t crossing = {count, junction, nck_junction_at(self, count + 1),
-                                 self->next.beta, self->terms->machine->period_s};
+    const nck_junction_t *const out = nck_junction_at(self, self->junction.decided + 1);
+    const crossing_t crossing = {junction, out, self->terms->machine->period_s};
     nck_pace_t *const pace = junction->pace;
     nck_status_t status = decide_pace(self, &crossing, NCK_PACE_OVER);
     if (status == NCK_OK && self->next.v[NCK_PACE_FEED] == self->next.v[NCK_PACE_OVER]) {
@@ -300,10 +292,7 @@ static nck_status_t decide_corner(nck_lookahead_t *self, nck_junction_t *junctio
     } else if (status == NCK_OK) {
         status = decide_pace(self, &crossing, NCK_PACE_FEED);
     }
-    if (status != NCK_OK) {
-        self->junction.known = self->junction.head;
-        return status;
-    }
+    if (status != NCK_OK) return status;
     if (!self->terms->limits_jerk) count_even(self, junction);
     for (int k = 0; k < NCK_PACES && (junction->end & NCK_JUNCTION_STOP); k++) {
         pace[k].v_corner = 0.0;
@@ -312,12 +301,12 @@ static nck_status_t decide_corner(nck_lookahead_t *self, nck_junction_t *junctio
     return NCK_OK;
 }
 
-// Whether it can be decided is known at once where both its segs are.
 nck_status_t nck_corner_decide(nck_lookahead_t *self) {
     nck_junction_t *const junction = nck_junction_at(self, self->junction.decided);
     if (self->junction.decided + 1 == self->junction.head) junction->end |= NCK_JUNCTION_STOP;
     if (junction->load > 0.0) {
         const nck_status_t status = decide_corner(self, junction);
+        if (status == NCK_EMPTY) self->junction.known = self->junction.head;
         if (status != NCK_OK) return status;
     } else if (junction->end & NCK_JUNCTION_STOP) {
         self->even = 0.0f;
