@@ -32,7 +32,7 @@ void nck_linear_init(nck_linear_t *self, const nck_machine_t *machine, nck_link_
 
 static double cap_inside(const nck_linear_t *self, const nck_node_t *piece) {
     if (self->is_plain) return piece->vv_piece;
-    return nck_plan_inside(piece, &self->job.wish, self->next->over);
+    return nck_plan_cap(piece, &self->job.wish, self->next->over);
 }
 
 // At the start of a piece that is there.
@@ -384,19 +384,16 @@ static nck_status_t draw_part(nck_linear_t *self, const nck_pieces_t *pieces) {
 // ---- the brake behind it
 
 // A hold brakes with what is left at the speed that it has by then.
-static double hold_accel(const nck_linear_t *self, const nck_pieces_t *pieces,
-                         const nck_linear_place_t *place) {
-    return nck_linear_left(pieces, place->piece, place->vv, self->next->over,
-                           self->machine->period_s);
-}
-
 static nck_status_t brake_piece(nck_linear_t *self, const nck_pieces_t *pieces) {
     nck_linear_place_t *const place = &self->brake;
     const nck_node_t *const piece = nck_plan_piece(pieces, place->piece);
     const nck_node_t *const behind = nck_plan_piece(pieces, place->piece + 1);
     nck_span_t span = span_of(self, piece, place);
     span.vv_out = behind ? behind->vv_cap : 0.0;
-    if (NCK_HAS_POLYGONS && self->next->held) span.a = hold_accel(self, pieces, place);
+    if (NCK_HAS_POLYGONS && self->next->held) {
+        const double period = self->machine->period_s;
+        span.a = nck_linear_left(pieces, place->piece, place->vv, self->next->over, period);
+    }
     nck_cell_t cell;
     const int rests = nck_trapezoid_brake(piece, &span, &cell);
     const int is_whole = !(cell.length < span.length);

@@ -35,18 +35,13 @@ int nck_plan_is_plain(const nck_wish_t *wish, uint32_t over) {
     return wish->feed == 1.0 && wish->rapid == 1.0 && wish->tool == NCK_WISH_FREE && !over;
 }
 
-double nck_plan_inside(const nck_node_t *piece, const nck_wish_t *wish, uint32_t over) {
-    return nck_plan_is_plain(wish, over) ? piece->vv_piece : nck_plan_cap(piece, wish, over);
-}
-
 double nck_plan_at(const nck_pieces_t *pieces, uint32_t number, const nck_wish_t *wish,
                    uint32_t over) {
     const nck_node_t *const piece = nck_plan_piece(pieces, number);
-    if (nck_plan_is_plain(wish, over)) return piece->vv_cap;
     const double junction = over ? piece->vv_node : piece->vv_cap;
     const nck_node_t *const before = nck_plan_piece(pieces, number - 1);
-    const double cap = nck_min(junction, nck_plan_inside(piece, wish, over));
-    return before ? nck_min(cap, nck_plan_inside(before, wish, over)) : cap;
+    const double cap = nck_min(junction, nck_plan_cap(piece, wish, over));
+    return before ? nck_min(cap, nck_plan_cap(before, wish, over)) : cap;
 }
 
 int nck_plan_ends_block(const nck_link_t *link, const nck_pieces_t *pieces, uint32_t number) {

@@ -120,10 +120,7 @@ int nck_plan_is_good(const nck_wish_t *wish);
 // 1 if under these wishes every cap is what room 4 has found, to the bit. Cost: constant.
 int nck_plan_is_plain(const nck_wish_t *wish, uint32_t over);
 
-// The same, and at 100 % what room 4 has found, to the bit. Cost: constant.
-double nck_plan_inside(const nck_node_t *piece, const nck_wish_t *wish, uint32_t over);
-
-// Cap of the node at the start of a piece that is there, v². Cost: constant.
+// Cap of the node at the start of a piece that is there, v²; but for plain wishes. Cost: constant.
 double nck_plan_at(const nck_pieces_t *pieces, uint32_t number, const nck_wish_t *wish,
                    uint32_t over);
 

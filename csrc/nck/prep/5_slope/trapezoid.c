@@ -24,45 +24,36 @@ static uint8_t ramp_limit(const nck_node_t *piece, double a) {
     return piece->vv < piece->vv_cap ? NCK_LIMIT_ACCEL : piece->limit;
 }
 
-// A stretch of constant acceleration.
-typedef struct leg {
-    double s;      // where it begins [path mm]
-    double length; // [path mm]
-    double vv[2];  // v² at its begin and end
-    double v[2];   // their roots
-} leg_t;
-
-static inline void set_leg(nck_cell_t *cell, const nck_node_t *piece, const leg_t *leg) {
-    const double *const vv = leg->vv;
+// A stretch of constant acceleration, from path coordinate s on, between vv[0] and vv[1]; v: their
+// roots.
+static inline void set_leg(nck_cell_t *cell, const nck_node_t *piece, double s, double length,
+                           const double vv[2], const double v[2]) {
     cell->seg = piece->seg;
     cell->stop = 0;
     cell->last = 0;
     cell->span = 0;
-    cell->s = leg->s;
-    cell->length = leg->length;
-    cell->v = leg->v[0];
-    cell->a = nck_ramp_accel(leg->length, vv[0], vv[1]);
+    cell->s = s;
+    cell->length = length;
+    cell->v = v[0];
+    cell->a = nck_ramp_accel(length, vv[0], vv[1]);
     cell->j = 0.0;
-    cell->duration = nck_ramp_duration(leg->length, leg->v[0], leg->v[1]);
+    cell->duration = nck_ramp_duration(length, v[0], v[1]);
     cell->limit = vv[0] == vv[1] && vv[0] == piece->vv_piece ? piece->limit_piece
                                                           : ramp_limit(piece, cell->a);
 }
 
-// From path coordinate s on, between vv[0] and vv[1].
 static void set_cell(nck_cell_t *cell, const nck_node_t *piece, double s, double length,
                      const double vv[2]) {
-    const leg_t leg = {
-        s, length, {vv[0], vv[1]}, {nck_sqrt(vv[0]), nck_sqrt(vv[1])}};
-    set_leg(cell, piece, &leg);
+    const double v[2] = {nck_sqrt(vv[0]), nck_sqrt(vv[1])};
+    set_leg(cell, piece, s, length, vv, v);
 }
 
-static int set_rest(const nck_node_t *piece, nck_cell_t *cell) {
+static void set_rest(const nck_node_t *piece, nck_cell_t *cell) {
     memset(cell, 0, sizeof *cell);
     cell->seg = piece->seg;
     cell->s = piece->s;
     cell->duration = piece->standstill.dwell_s;
     cell->limit = piece->limit_piece;
-    return 1;
 }
 
 static int set_legs(const nck_node_t *piece, const nck_span_t *span, nck_cell_t *legs) {
@@ -89,12 +80,12 @@ static int set_legs(const nck_node_t *piece, const nck_span_t *span, nck_cell_t 
 int nck_trapezoid_legs(const nck_node_t *piece, const nck_span_t *span, double period,
                        nck_cell_t *legs_out) {
     int count = 1;
-    const leg_t whole = {span->s, span->length, {span->vv_in, span->vv_out},
-                             {nck_sqrt(span->vv_in), nck_sqrt(span->vv_out)}};
+    const double vv[2] = {span->vv_in, span->vv_out};
+    const double v[2] = {nck_sqrt(vv[0]), nck_sqrt(vv[1])};
     if (!(piece->length > 0.0)) {
-        count = set_rest(piece, legs_out);
-    } else if (2.0 * whole.length <= (whole.v[0] + whole.v[1]) * SHORT_PERIODS * period) {
-        set_leg(legs_out, piece, &whole);
+        set_rest(piece, legs_out);
+    } else if (2.0 * span->length <= (v[0] + v[1]) * SHORT_PERIODS * period) {
+        set_leg(legs_out, piece, span->s, span->length, vv, v);
     } else {
         count = set_legs(piece, span, legs_out);
     }
