@@ -62,7 +62,11 @@ typedef int64_t nck_int64;
     (sizeof(nck_num) == 4 ? (nck_num)fabsf((float)(x)) : (nck_num)fabs((double)(x)))
 
 // What many call and is longer than its call: a compiler for size takes it for shorter.
+#ifdef __GNUC__
 #define NCK_APART __attribute__((noinline))
+#else
+#define NCK_APART
+#endif
 
 // A whole number as a real one. A processor with doubles in hardware has no instruction for it:
 // each half is exact, so their sum rounds as the whole would, and no soft double is
