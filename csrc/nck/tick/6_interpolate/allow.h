@@ -19,11 +19,22 @@ typedef struct nck_allow {
     nck_num low_is, high_is; // what one of k″ is to the axis that says so, of its limit
 } nck_allow_t;
 
-// … in a period in which the plan's jerk jumps.
-typedef struct nck_allow_parts {
-    nck_allow_t each; // by jerk in each of its parts
-    nck_allow_t ends; // by what the samples show that weigh its begin more than its end, and less
-} nck_allow_parts_t;
+// The samples of an axis by k″, from what a period has anyway: jerk + (per + bend·k″)·k″, of
+// acceleration a period's.
+typedef struct nck_allow_sample {
+    nck_num accel;   // [mm/s²]
+    nck_num jerk;    // [mm/s³]
+    nck_num plan[2]; // what of both the plan asks for at the same rate
+    nck_num per, bend;
+} nck_allow_sample_t;
+
+// A period.
+typedef struct nck_allow_period {
+    const nck_stretch_past_t *past; // up to its begin
+    double t;                       // which is there in the walk's cell [s]
+    double far;                     // along the plan, by the k″ that it has anyway [s]
+    nck_num change;                 // 0, or by which it does not go back [1/s²]
+} nck_allow_period_t;
 
 // What is allowed on a stretch that takes so long [s], of so much of the limits.
 // Cost: 4 bounds for each axis that moves. Context: tick.
@@ -34,12 +45,16 @@ void nck_allow_all(nck_allow_t *range, const nck_stretch_walk_t *walk, const nck
 // hears of k″ has no say. Cost: constant. Context: tick.
 nck_num nck_allow_between(const nck_allow_t *range);
 
-// What is allowed of jerk in the period that begins where the walk does, far along the plan. The
-// plan's jerk jumps between its cells, and a sample weighs the begin of a period and its end
-// unlike. The walk stands behind it then. on: its end is where the walk is.
-// Cost: 8 parts at most, each with two bounds for each axis that moves. Context: tick.
-void nck_allow_parts(nck_allow_parts_t *parts, nck_stretch_walk_t *walk,
-                     const nck_allow_pace_t *pace, nck_num far, nck_num share, nck_stretch_t *on);
+// The samples of each axis. at: where the walk is, at its begin. Cost: a point and a look.
+// Context: tick.
+void nck_allow_look(nck_allow_sample_t *samples, const nck_stretch_walk_t *walk,
+                    const nck_allow_period_t *period, const nck_stretch_point_t *at,
+                    const nck_allow_pace_t *pace);
+
+// What of k″ they allow beyond what the period has anyway, of so much of the limits.
+// Cost: two bounds for each axis. Context: tick.
+void nck_allow_now(nck_allow_t *range, const nck_stretch_walk_t *walk,
+                   const nck_allow_sample_t *samples, nck_num share);
 
 // What k″ may be where the plan itself asks for nothing. Cost: linear in the axes. Context: tick.
 nck_num nck_allow_free(const nck_stretch_walk_t *walk, const nck_stretch_point_t *at);

@@ -29,7 +29,7 @@ typedef struct nck_clock {
     double late;              // [s]
     union {
         double v;             // braking: of the path [path mm/s]
-        double rate;          // setting off: dφ/dt, 0 … 1
+        double rate;          // setting off: dφ/dt, 0 … 1; along a clocked path a period before
     } first;
     union {
         double a;             // braking: of the path [path mm/s²]

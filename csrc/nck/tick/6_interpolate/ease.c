@@ -7,6 +7,12 @@
 // limits. So both can go on from wherever k′ can be taken away again, with k between 0 and 1: that
 // is tried along the plan that is known, stretch by stretch. p‴ is the mean of one, as periods show
 // it. A path with limits of its own is one more axis: what of all axes has its direction.
+//
+// What is seen of a period is its samples: differences of places over two periods and three. So the
+// clock chooses those of φ, one after the other. k″ is the third difference of φ over T³, in the
+// middle of the three periods; k and k′ are where the period begins, so that φ goes on by
+// (k + k′T/2)·T with those behind k″. Where the axes have been is known, where they come to without
+// k″ as well, so what a sample takes is no estimate, whatever the plan does within a period.
 #include "nck/tick/6_interpolate/ease.h"
 
 #include <stddef.h> // NULL
@@ -16,9 +22,8 @@
 #include "nck/tick/6_interpolate/allow.h"   // nck_allow_…
 #include "nck/tick/6_interpolate/stretch.h" // nck_stretch_…
 
-// Of an axis' acceleration and jerk, what is taken where the plan takes less: a sample of jerk
-// weighs three periods, so it may pass their means by 0.03, …
-#define SHARE_TAKEN NCK_NUM_OF(0.97)
+// Of an axis' acceleration and jerk, what a sample may take where the plan takes less, …
+#define SHARE_TAKEN NCK_NUM_OF(1)
 // … what it counts on further on, where it looks at fewer places than there are periods.
 #define SHARE_AHEAD NCK_NUM_OF(0.93)
 // The same of a clock that sets off: it is in no hurry, and what it takes grows with it.
@@ -30,50 +35,45 @@
 // Of all that axes allow without the plan, what takes k′ away until k is 1, from where on it is no
 // longer hurried: a plan may come that brakes sooner, and leaves none of an axis' jerk until then.
 #define LAST_SHARE NCK_NUM_OF(0.5)
-// Of what k″ takes in a period, so slow that the clock may rest …
-#define REST_SHARE NCK_NUM_OF(0.3)
-// … and of all that axes have in a period, so near 1 that it may run: the plan may take all of it.
-#define RUN_SHARE NCK_NUM_OF(0.003)
+// Of all that axes have in a period, so slow that the clock may rest …
+#define REST_SHARE NCK_NUM_OF(0.98)
+// … and so near 1 that it may run: the plan may take all of it.
+#define RUN_SHARE NCK_NUM_OF(0.001)
 
 // Of k′ that a released clock eases off, what rounding leaves (6e-8 in single precision) and more.
 #define GONE_EPSILON 1e-6
 
-// Of the range of k″, what is tried at least.
+// Of the range of k″, what is tried at least; of a clock that sets off, where the plan takes nearly
+// all: with 0.25 one along a helix by all of its jerk crept.
 #define SHARE_LEAST NCK_NUM_OF(0.25)
+#define OFF_LEAST NCK_NUM_OF(0.01)
 
 // Numbers of the solvers' type are enough for how fast and how hard: the clock itself is kept in
 // double precision. Where a processor has no doubles in hardware they take a tenth of the time.
 enum {
     TRIALS = 2,      // how hard k may change
-    PLACES = 40,     // looked at ahead of the period: 340 periods. With 24 over 347 a starved run
-                     // took 1.024 of an axis' jerk
-    NEAR_PLACES = 8, // stretches grow by 1/8 from there on
+    PLACES = 36,     // looked at ahead: 340 periods. With 24 over 347 a starved run took 1.024 of
+                     // an axis' jerk
+    NEAR_PLACES = 7, // stretches grow by 1/7 from there on
     TIME_STEPS = 2   // to a time: each halves the digits that lack
 };
 
-// What all axes allow of k″ [1/s²].
+// What all axes allow of k″, and how it may be chosen in a period [1/s²].
 typedef struct ease_range {
     nck_allow_t all;
-    nck_num soft;   // of a period that slows down: as it eases off where each part of it may
-    nck_num last;   // low of who sets off, where no other way is known: by what is kept for it
-    nck_num gentle; // what eases off, by what samples show, too
-} ease_range_t;
-
-// How k″ may be chosen in a period [1/s²].
-typedef struct ease_reach {
+    nck_num last;  // what eases off where nothing else can: of who sets off, by all that there is
     nck_num least; // what eases off
     nck_num room;  // from there to the hardest
-    nck_num soft;  // what is not passed, if that can go on
-    nck_num last;   // what eases off where nothing else can
-    nck_num gentle; // … as softly as samples want it
-    int lasts;      // 1: it sets off, and is to run soon
-} ease_reach_t;
+    int lasts;     // 1: it sets off, and is to run soon
+} ease_range_t;
 
 // What is known before of a period's k″.
 typedef struct ease_wish {
     nck_num share; // of the range, that may last: the next period's then
+    nck_num goal;  // by which the clock rests, or runs, from this period on [1/s²]
+    nck_num left;  // … then k″ of the next one
     nck_num free;  // what all axes allow without the plan [1/s²]
-    nck_num most;  // … of a brake with it [1/s²]
+    int reached;   // 1: it does
 } ease_wish_t;
 
 // How hard k may change in the period, and what comes of it.
@@ -169,35 +169,28 @@ static const ease_trial_t *try_all(ease_trial_t *trials, int count, nck_stretch_
     return first < left ? &trials[first] : NULL;
 }
 
-// 1 where k′ is to be taken away upwards: it slows down, or is about to.
-static int is_slowing(const nck_allow_pace_t *pace) {
-    return pace->dk < 0 || (pace->way < 0 && !(pace->dk > 0));
-}
-
-// The hardest k″ in a period that sets off: easing off behind it, k comes to 1 by two thirds of the
-// way, so that it never passes it.
-static nck_num change_to_run(const nck_allow_pace_t *pace, nck_num period) {
-    return (1 - pace->k - 2 * pace->dk * period) / (NCK_NUM_OF(1.5) * period * period);
-}
-
 // What k″ must be for k′ to be gone when k is 1.
-static nck_num change_by_run(const nck_allow_pace_t *pace, nck_num period) {
-    const nck_num left = nck_num_max(1 - pace->k, NCK_NUM_OF(0.5) * pace->dk * period);
-    return -NCK_NUM_OF(0.5) * pace->dk * pace->dk / left;
+static nck_num change_by_run(const nck_allow_pace_t *pace, const ease_wish_t *wish,
+                             nck_num period) {
+    const nck_num soon = NCK_NUM_OF(0.5) * pace->dk / period;
+    return -NCK_NUM_OF(0.5) * pace->dk / period * pace->dk / period
+           / nck_num_max(wish->left, soon);
 }
 
 // Where no k″ is known behind which k′ can be eased off, easing off at once among them, of a clock
 // that sets off: a plan has come that brakes, so that its axes allow less than was counted on. Once
-// it takes all that axes allow without the plan (most), k′ is led to be gone when k is 1: the plan
+// it takes so much of what they allow without the plan, k′ is led to be gone when k is 1: the plan
 // is never overtaken.
-static int is_last(const nck_allow_pace_t *pace, nck_num most, nck_num period) {
-    return pace->way > 0 && pace->dk > 0 && -change_by_run(pace, period) > most;
+static int is_last(const nck_allow_pace_t *pace, const ease_wish_t *wish, nck_num share,
+                   nck_num period) {
+    return pace->way > 0 && pace->dk > 0
+           && -change_by_run(pace, wish, period) > share * wish->free;
 }
 
-static nck_num change_at_last(const nck_allow_pace_t *pace, nck_num change, nck_num most,
-                              nck_num period) {
-    if (!is_last(pace, most, period)) return change;
-    return nck_num_min(change, change_by_run(pace, period));
+static nck_num change_at_last(const nck_allow_pace_t *pace, nck_num change,
+                              const ease_wish_t *wish, nck_num period) {
+    if (!is_last(pace, wish, 1, period)) return change;
+    return nck_num_min(change, change_by_run(pace, wish, period));
 }
 
 static ease_trial_t trial_of(const nck_allow_pace_t *pace, nck_num change, nck_num period) {
@@ -208,161 +201,104 @@ static ease_trial_t trial_of(const nck_allow_pace_t *pace, nck_num change, nck_n
     trial.pace.way = pace->way;
     trial.pace.dk = pace->dk + change * period;
     trial.pace.k = pace->k + NCK_NUM_OF(0.5) * (pace->dk + trial.pace.dk) * period;
-    if (!(trial.pace.k > 0) || trial.pace.k > 1) trial.verdict = EASE_BAD;
+    const nck_num rate = trial.pace.k + NCK_NUM_OF(0.5) * trial.pace.dk * period;
+    if (!(rate > 0) || rate > 1) trial.verdict = EASE_BAD;
     else if (is_on_way(&trial.pace)) trial.verdict = EASE_OPEN;
     return trial;
 }
 
-// Who sets off may count on more to ease off.
-static void set_last(ease_trial_t *trial, const nck_allow_pace_t *pace, nck_num change,
-                     nck_num period) {
-    *trial = trial_of(pace, change, period);
-    trial->share = OFF_LAST;
-}
-
 // What is tried in a period, the hardest first: the share of the range that may have lasted before,
-// of a brake also half of it, and both as softly as every part of the period wants it; of who is
-// released that alone, or as softly as samples want it. So does who sets off; where it is to run
-// soon instead of speeding up, and by what is kept for it. Returns how many.
-static int set_trials(ease_trial_t *trials, const nck_allow_pace_t *pace, const ease_reach_t *reach,
+// and of a brake half of it; of who is released none. Who is to run soon eases off, by what is kept
+// for that. Returns how many.
+static int set_trials(ease_trial_t *trials, const nck_allow_pace_t *pace, const ease_range_t *range,
                       nck_num share, nck_num period) {
-    const nck_num hard = reach->room * share;
-    const nck_num softer = NCK_NUM_OF(0.5) * hard;
-    trials[0] = trial_of(pace, nck_num_min(reach->soft, reach->least + hard), period);
-    trials[1] = trial_of(pace, nck_num_min(reach->soft, reach->least + softer), period);
-    if (pace->way < 0 && share > 0) return TRIALS;
-    if (pace->way < 0) {
-        trials[1] = trial_of(pace, reach->gentle, period);
-        return reach->soft < reach->least ? TRIALS : 0;
-    }
-    const int is_gentle = reach->gentle > reach->last;
-    if (!reach->lasts && !is_gentle) return 1;
-    set_last(&trials[reach->lasts ? 0 : 1], pace, reach->gentle, period);
-    if (reach->lasts && !is_gentle) return 1;
-    if (reach->lasts) set_last(&trials[1], pace, reach->last, period);
+    const nck_num hard = range->room * share;
+    if (pace->way < 0 && !(share > 0)) return 0;
+    trials[0] = trial_of(pace, range->lasts ? range->last : range->least + hard, period);
+    if (range->lasts) trials[0].share = OFF_LAST;
+    if (pace->way > 0) return 1;
+    trials[1] = trial_of(pace, range->least + NCK_NUM_OF(0.5) * hard, period);
     return TRIALS;
 }
 
 // The hardest k″ in a period of what is tried, behind which k′ can be eased off again; else what
 // eases off. Whether that can be done is asked where something else may be.
-static nck_num choose(const nck_allow_pace_t *pace, const ease_range_t *range, ease_wish_t *wish,
+static nck_num choose(const nck_allow_pace_t *pace, ease_range_t *range, ease_wish_t *wish,
                       nck_stretch_walk_t *walk, nck_stretch_t *on) {
+    const nck_num half = NCK_NUM_OF(0.5);
     const nck_num period = walk->period;
     const int brakes = pace->way < 0;
     const nck_num gone = -pace->dk / period; // … k′ is then
-    const nck_num most = nck_num_min(range->all.high, change_to_run(pace, period));
-    ease_reach_t reach;
-    reach.least =
+    // Of who sets off: with the k′ behind it 1 is not passed in the next period.
+    const nck_num most = nck_num_min(range->all.high, half * (wish->goal + gone));
+    range->least =
         gone < 0 ? nck_num_max(gone, range->all.low) : nck_num_min(gone, range->all.high);
-    reach.room = brakes ? nck_num_min(0, range->all.low - reach.least)
-                        : nck_num_max(0, most - reach.least);
-    reach.soft = brakes ? range->soft : reach.least + reach.room;
-    reach.lasts = is_last(pace, LAST_SHARE * wish->free, period);
-    reach.last = brakes ? reach.least : nck_num_max(gone, nck_num_min(reach.least, range->last));
-    reach.gentle = brakes ? nck_num_min(reach.least, range->gentle)
-                          : nck_num_max(reach.last, nck_num_min(range->gentle, 0));
-    const nck_num half = NCK_NUM_OF(0.5);
-    const nck_num gains = half * nck_num_max(0, reach.room) * period;
+    range->room = brakes ? nck_num_min(0, range->all.low - range->least)
+                         : nck_num_max(0, most - range->least);
+    range->lasts = is_last(pace, wish, LAST_SHARE, period);
+    range->last = brakes ? range->least : nck_num_max(gone, nck_num_min(range->least, range->last));
+    const nck_num gains = half * nck_num_max(0, range->room) * period;
     const nck_num k = pace->k + (pace->dk + gains) * period;
     ease_trial_t trials[TRIALS];
-    const int count = set_trials(trials, pace, &reach, wish->share, period);
+    const int count = set_trials(trials, pace, range, wish->share, period);
     const ease_trial_t *const found =
         try_all(trials, count, walk, on, nck_num_max(0, nck_num_min(k, 1)));
     const nck_num grows = brakes ? 2 : NCK_NUM_OF(1.5); // what sets off is in no hurry
+    const nck_num least = brakes ? SHARE_LEAST : OFF_LEAST;
     if (found == &trials[0]) wish->share = nck_num_min(1, grows * wish->share);
-    else if (!brakes || !found) wish->share = nck_num_max(SHARE_LEAST, half * wish->share);
-    return found ? found->change : change_at_last(pace, reach.last, wish->free, period);
+    else if (!brakes || !found) wish->share = nck_num_max(least, half * wish->share);
+    return found ? found->change : change_at_last(pace, range->last, wish, period);
 }
 
-// What is allowed in a period in which the plan's jerk jumps: in its parts, as far as its mean
-// allows that, and what is counted on of easing off (ahead). What samples show only softens k″: an
-// axis that turns round hardly hears of it, and would ask for any. Easing off is softened so only
-// where that can go on, or, of a brake whose k still grows, where twice what it needs is left.
-static void bound_jumps(ease_range_t *range, const nck_allow_pace_t *pace, nck_num period,
-                        const nck_allow_parts_t *parts, const nck_allow_t *ahead) {
-    const nck_allow_t mean = range->all;
-    nck_allow_t *const all = &range->all;
-    const int slows = is_slowing(pace);
-    const nck_num low = slows ? mean.high : nck_num_max(mean.low, ahead->low);
-    const nck_num high = slows ? nck_num_min(mean.high, ahead->high) : mean.low;
-    const nck_num ends_low = nck_num_min(parts->ends.low, 0);
-    const nck_num ends_high = nck_num_max(parts->ends.high, 0);
-    all->low = nck_num_max(mean.low, nck_num_min(parts->each.low, low));
-    all->high = nck_num_min(mean.high, nck_num_max(parts->each.high, high));
-    range->soft = nck_num_max(all->low, nck_num_min(all->high, parts->each.high));
-    if (pace->way > 0 && !slows) {
-        all->high = nck_num_min(all->high, nck_num_max(ends_high, all->low));
-        range->gentle = nck_num_max(range->last, nck_num_min(ends_low, mean.high));
-        return;
-    }
-    const nck_num needs = slows ? 0 : 2 * change_by_run(pace, period);
-    const nck_num most = nck_num_min(all->high, needs);
-    all->low = nck_num_max(all->low, nck_num_min(ends_low, most));
-    if (!slows) return;
-    range->gentle = nck_num_max(all->low, ends_high);
-    range->soft = nck_num_max(all->low, nck_num_min(range->soft, ends_high));
-}
-
-// What is allowed in the period: in its mean, and, where the plan's jerk jumps in it, beyond that.
-static void bound_period(ease_range_t *range, nck_stretch_walk_t *walk,
-                         const nck_allow_pace_t *pace, nck_num far, nck_stretch_t *on) {
-    const nck_num period = walk->period;
-    const nck_num share = pace->way < 0 ? SHARE_TAKEN : OFF_TAKEN;
-    const nck_num counts_on = is_slowing(pace) ? SHARE_AHEAD : OFF_AHEAD;
-    const int jumps = walk->t + far > (nck_num)walk->cell->duration;
-    nck_stretch_walk_t again = *walk;
-    nck_stretch_t part;
-    nck_allow_t ahead;
-    nck_allow_parts_t parts;
-    part.to = on->to;
-    nck_stretch_take(walk, far, on);
-    nck_allow_all(&range->all, walk, on, pace, period, share);
-    range->soft = range->all.high;
+// What is allowed in the period.
+static void bound_period(ease_range_t *range, const nck_stretch_walk_t *walk, nck_num way,
+                         const nck_allow_sample_t *samples, nck_num from) {
+    nck_allow_now(&range->all, walk, samples, way < 0 ? SHARE_TAKEN : OFF_TAKEN);
+    range->all.low += from;
+    range->all.high += from;
     range->last = range->all.low;
-    range->gentle = pace->way < 0 ? range->soft : range->last;
-    if (range->all.low > range->all.high || (!jumps && pace->way < 0)) return;
-    nck_allow_all(&ahead, walk, on, pace, period, jumps ? counts_on : OFF_LAST);
-    if (!jumps) {
-        range->last = ahead.low;
-        range->gentle = ahead.low;
-        return;
-    }
-    nck_allow_parts(&parts, &again, pace, far, share, &part);
-    bound_jumps(range, pace, period, &parts, &ahead);
+    if (way < 0) return;
+    nck_allow_t last;
+    nck_allow_now(&last, walk, samples, SHARE_TAKEN);
+    range->last = last.low;
+    if (range->all.low > range->all.high) range->all = last;
 }
 
 // k″ in the period that begins where the walk does. Where the plan comes to its rest in it, none:
 // that is its own. Never does k′ turn round.
 static nck_num change_for(const nck_allow_pace_t *pace, nck_stretch_walk_t *walk,
-                          ease_wish_t *wish) {
+                          const nck_allow_period_t *now, ease_wish_t *wish) {
     const nck_num period = walk->period;
-    const nck_num half = NCK_NUM_OF(0.5);
-    const nck_num k = nck_num_max(half * pace->k, pace->k + half * pace->dk * period);
+    nck_allow_sample_t samples[NCK_AXIS_MAX];
     nck_stretch_t on;
     ease_range_t range;
     nck_stretch_look(walk, &on.to);
-    bound_period(&range, walk, pace, k * period, &on);
+    nck_allow_look(samples, walk, now, &on.to, pace);
+    bound_period(&range, walk, pace->way, samples, now->change);
     wish->free = nck_allow_free(walk, &on.to);
-    wish->most = pace->way < 0 ? range.all.high : wish->free;
-    if (walk->ends) return 0;
+    const nck_num left = (pace->way < 0 ? REST_SHARE : RUN_SHARE) * wish->free;
+    wish->reached =
+        wish->left <= left && wish->goal >= range.last && wish->goal <= range.all.high;
+    if (wish->reached) return wish->goal;
     if (range.all.low <= range.all.high) return choose(pace, &range, wish, walk, &on);
     const nck_num gone = -pace->dk / period;
     const nck_num between = nck_allow_between(&range.all);
     const nck_num change = pace->way < 0 ? nck_num_min(between, nck_num_max(0, gone))
                                          : nck_num_max(between, nck_num_min(0, gone));
-    return change_at_last(pace, change, wish->free, period);
+    return change_at_last(pace, change, wish, period);
 }
 
 // The same, where prep may publish another plan at any time: then that counts. It does so once in
 // many periods.
 static nck_num change_now(const nck_allow_pace_t *pace, const nck_stretch_walk_t *here,
-                          ease_wish_t *wish) {
+                          const nck_allow_period_t *now, ease_wish_t *wish) {
     for (int round = 0; round < 2; round++) {
         nck_stretch_walk_t walk = *here;
         walk.word = nck_link_word(walk.link);
-        const nck_num change = change_for(pace, &walk, wish);
+        const nck_num change = change_for(pace, &walk, now, wish);
         if (nck_link_holds(walk.link, walk.word)) return change;
     }
+    wish->reached = 0;
     return 0;
 }
 
@@ -379,13 +315,13 @@ void nck_ease_release(nck_clock_t *clock) {
     if (clock->state == NCK_CLOCK_BRAKES) nck_fence_store(&clock->state, NCK_CLOCK_SETS_OFF);
 }
 
-// The clock at a pace that is reached, or at its rest or its run next to it. near: of k [1/s].
-static void take_pace(nck_clock_t *clock, int brakes, double near, double period) {
-    const double k = clock->first.rate;
-    const int rests = brakes && !(k > near * period);
-    const int is_near = 1.0 - k <= near * period && clock->second.gain <= near;
-    const int is_whole = k >= 1.0; // never beyond
-    const int runs = !brakes && (is_near || is_whole);
+// The clock at the pace that is reached, or at its rest or its run. The rate of the period is
+// k + k′T/2: they are those of one before.
+static void take_pace(nck_clock_t *clock, int brakes, int reached, double period) {
+    const double rate = clock->first.rate + 0.5 * clock->second.gain * period;
+    const int is_whole = rate >= 1.0; // never beyond
+    const int rests = brakes && (reached || !(rate > 0.0));
+    const int runs = !brakes && (reached || is_whole);
     if (rests || runs || is_whole) {
         clock->first.rate = rests ? 0.0 : 1.0;
         clock->second.gain = 0.0;
@@ -395,29 +331,36 @@ static void take_pace(nck_clock_t *clock, int brakes, double near, double period
 }
 
 double nck_ease_period(nck_clock_t *clock, const nck_terms_t *terms, nck_link_t *link,
-                       const nck_cell_t *cell, double t) {
+                       const nck_cell_t *cell, double t, const nck_stretch_past_t *past) {
     const double period = terms->machine->period_s;
     const double k = clock->first.rate;
     const double dk = clock->second.gain;
     const int released = clock->state == NCK_CLOCK_SETS_OFF && dk < 0.0;
     const int brakes = clock->state == NCK_CLOCK_BRAKES || released;
     const nck_allow_pace_t pace = {(nck_num)k, (nck_num)dk, brakes ? -1 : 1};
-    const nck_stretch_walk_t here = {.terms = terms, .link = link, .cell = cell, .t = (nck_num)t,
-                                     .period = (nck_num)period};
-    ease_wish_t wish = {released ? 0 : clock->share, 0, 0};
+    nck_stretch_limit_t limit[NCK_AXIS_MAX + 1];
+    const nck_stretch_walk_t here = {.terms = terms, .limit = limit, .link = link, .cell = cell,
+                                     .t = (nck_num)t, .period = (nck_num)period};
+    const double rate = k + 0.5 * dk * period;
+    const double goal = brakes ? 0.0 : 1.0;
+    const double per = 1.0 / (period * period);
+    const double next = nck_max(0.0, rate + dk * period);
+    const nck_allow_period_t now = {past, t, next * period,
+                                    (nck_num)((next - rate - dk * period) * per)};
+    ease_wish_t wish = {released ? 0 : clock->share, (nck_num)((goal - rate - dk * period) * per),
+                        (nck_num)(nck_fabs(goal - rate) * per), 0, 0};
     if (!brakes && clock->feels > 0) { // a rest may end with a jerk of its own
         clock->feels--;
         return 0.0;
     }
-    const double change = (double)change_now(&pace, &here, &wish);
+    nck_stretch_limits(terms, limit);
+    const double change = (double)change_now(&pace, &here, &now, &wish);
     clock->share = released ? 1 : wish.share;
     clock->first.rate = k + (dk + 0.5 * change * period) * period;
     const double gain = dk + change * period;
     clock->second.gain = released && gain > GONE_EPSILON * dk ? 0.0 : gain;
-    const nck_num near = (brakes ? REST_SHARE : RUN_SHARE) * wish.most;
-    take_pace(clock, brakes, (double)near * period, period);
-    if (!(clock->first.rate > 0.0)) return 0.5 * k * period;
-    return (k + (0.5 * dk + change / 6.0 * period) * period) * period;
+    take_pace(clock, brakes, wish.reached, period);
+    return (clock->first.rate + 0.5 * clock->second.gain * period) * period;
 }
 
 void nck_ease_rest(nck_clock_t *clock, int moves) {

@@ -56,6 +56,7 @@ static inline int next_cell(nck_interpolate_t *self) {
         if (self->cell.stop & NCK_STOP_SETS_OFF) nck_clock_go_on(&self->clock);
         self->filter.taps = nck_clock_taps(self->terms, seg_at(self, self->cell.seg));
         self->rests = 0;
+        if (NCK_HAS_OPTIMAL) nck_stretch_begin(&self->past, self->pose.axis);
         nck_mean_begin(&self->filter, &self->cell);
         nck_link_seg_finish(self->link, self->filter.seg);
     } else if (self->filter.taps > 1) { // else nobody asks, and segs may be many
@@ -81,7 +82,6 @@ static void place(nck_interpolate_t *self, const nck_seg_t *seg, double s, doubl
     pose->limit = self->brakes == NCK_TICK_STARVED ? NCK_LIMIT_STARVED : self->cell.limit;
     pose->s = seg->s_begin + s;
     pose->v = v;
-    if (nck_look_is_clocked(seg)) nck_clock_measure(seg, s, pose);
     pose->feed = seg->feed;
     pose->feed_scale = seg->feed_scale;
     const uint32_t clock = self->clock.state;
@@ -93,6 +93,9 @@ static void place(nck_interpolate_t *self, const nck_seg_t *seg, double s, doubl
                   : seg->kind == NCK_SEG_WAIT ? NCK_TICK_WAIT : NCK_TICK_MOVE;
     if (seg->kind < NCK_SEG_DWELL) nck_path_point(seg, s, pose->axis);
     pose->spindle_rpm = nck_spin_rpm(&seg->spin, pose->axis[NCK_AXIS_X]);
+    if (!nck_look_is_clocked(seg)) return;
+    nck_clock_measure(seg, s, pose);
+    nck_stretch_pass(&self->past, pose->axis);
 }
 
 // The cells stand at s of the cell's seg: hand out the mean over the taps.
@@ -184,6 +187,7 @@ static void evaluate(nck_interpolate_t *self, double t) {
 static const nck_pose_t *rest(nck_interpolate_t *self) {
     const int on_path = !self->rests || self->from_tail;
     begin_to_count(self);
+    if (NCK_HAS_OPTIMAL) nck_stretch_pass(&self->past, self->pose.axis);
     self->pose.v = 0.0;
     self->pose.limit = on_path ? NCK_LIMIT_STARVED : NCK_LIMIT_EXACT_STOP;
     self->pose.state = self->cell.stop & NCK_STOP_HOLD ? NCK_TICK_HOLD
@@ -352,10 +356,12 @@ static void own_time(nck_interpolate_t *self) {
         brake(self);
         return;
     }
-    clock->late -= by_clock ? nck_ease_period(clock, self->terms, self->link, &self->cell, t)
+    clock->late -= by_clock ? nck_ease_period(clock, self->terms, self->link, &self->cell, t,
+                                              &self->past)
                             : nck_clock_set_off(clock, self->terms, nck_cell_speed(&self->cell, t));
     const int moves = seek(self);
-    if (moves) pass_at(self, clock->first.rate);
+    const double since = by_clock ? clock->second.gain * self->machine->period_s : 0.0;
+    if (moves) pass_at(self, nck_max(0.0, nck_min(clock->first.rate + since, 1.0)));
     if (by_clock) nck_ease_rest(clock, moves);
 }
 

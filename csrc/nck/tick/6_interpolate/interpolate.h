@@ -11,6 +11,7 @@
 #include "nck/tick/6_interpolate/clock.h" // nck_clock_t
 #include "nck/tick/6_interpolate/mean.h"  // nck_filter_t
 #include "nck/tick/6_interpolate/halt.h"  // nck_halt_t
+#include "nck/tick/6_interpolate/stretch.h" // nck_stretch_past_t
 #include "nck/tick/6_interpolate/sync.h"  // nck_sync_t
 #include "nck/tick/6_interpolate/watch.h" // nck_watch_t
 
@@ -34,6 +35,7 @@ typedef struct nck_interpolate {
     nck_filter_t filter;
     nck_sync_t sync;      // the spindle, and the pass of a thread in work
     nck_clock_t clock;
+    nck_stretch_past_t past; // along a clocked path
     nck_watch_t watch;      // over prep
     uint32_t brakes;        // as what a tick is told that has to brake, an nck_tick_state_t; 0: not
     uint32_t stands;        // 1: it has, and rests; any reads it

@@ -4,7 +4,8 @@
 
 #include <string.h> // memset
 
-#include "nck/base/path.h" // nck_path_ways nck_path_way_at
+#include "nck/base/cell_math.h" // nck_cell_way
+#include "nck/base/path.h"      // nck_path_part nck_path_ways nck_path_way_at
 
 static void know_seg(nck_stretch_seg_t *on, const nck_seg_t *seg, int axes) {
     if (on->seg == seg) return;
@@ -33,6 +34,22 @@ void nck_stretch_look(nck_stretch_walk_t *walk, nck_stretch_point_t *out) {
         out->first[x] = tangent * rate;
         out->second[x] = 6 * bend * rate * rate + tangent * (a * per);
     }
+}
+
+void nck_stretch_place(nck_stretch_walk_t *walk, double t, double far, double *axis_out) {
+    double left = t + far;
+    for (uint32_t n = 0; n < NCK_TAIL_MAX && left > walk->cell->duration; n++) {
+        const nck_cell_t *const next = nck_link_ahead(walk->link, walk->word, walk->next);
+        if ((walk->cell->stop & NCK_STOP_REST) || !next) break;
+        left -= walk->cell->duration;
+        walk->cell = next;
+        walk->next++;
+    }
+    const nck_cell_t *const cell = walk->cell;
+    const double at = nck_max(0.0, nck_min(left, cell->duration));
+    const double s = cell->s + nck_max(0.0, nck_min(nck_cell_way(cell, at), cell->length));
+    walk->t = (nck_num)at;
+    nck_path_part(nck_link_seg(walk->link, cell->seg), s, walk->terms->axes, axis_out);
 }
 
 // On by so much of the plan's time, or to its rest. Returns how far [s].
@@ -93,24 +110,30 @@ static int moves(const nck_stretch_ways_t *ways) {
            || ways->second[1] != 0;
 }
 
-static void set_ways(nck_stretch_t *on, const nck_terms_t *terms) {
+void nck_stretch_limits(const nck_terms_t *terms, nck_stretch_limit_t *limit_out) {
     const nck_machine_t *const machine = terms->machine;
+    for (int x = 0; x < terms->axes; x++) {
+        limit_out[x].a_max = (nck_num)machine->axis[x].a_max;
+        limit_out[x].j_max = (nck_num)machine->axis[x].j_max;
+    }
+    limit_out[NCK_AXIS_MAX].a_max = (nck_num)machine->path.a_max;
+    limit_out[NCK_AXIS_MAX].j_max = (nck_num)machine->path.j_max;
+}
+
+static void set_ways(nck_stretch_t *on, const nck_stretch_walk_t *walk) {
+    const nck_terms_t *const terms = walk->terms;
     on->count = 0;
     for (int x = 0; x < terms->axes; x++) {
         nck_stretch_ways_t *const ways = &on->of[on->count];
-        if (!machine->axis[x].present) continue;
+        if (!terms->machine->axis[x].present) continue;
         ways_of(on, x, ways);
-        ways->axis = x;
-        ways->a_max = (nck_num)machine->axis[x].a_max;
-        ways->j_max = (nck_num)machine->axis[x].j_max;
+        ways->limit = walk->limit[x];
         on->count += moves(ways);
     }
     if (!terms->limits_path) return;
     nck_stretch_ways_t *const ways = &on->of[on->count++];
     along_of(on, terms->axes, ways);
-    ways->axis = NCK_AXIS_MAX;
-    ways->a_max = (nck_num)machine->path.a_max;
-    ways->j_max = (nck_num)machine->path.j_max;
+    ways->limit = walk->limit[NCK_AXIS_MAX];
 }
 
 // The next stretch.
@@ -118,5 +141,5 @@ void nck_stretch_take(nck_stretch_walk_t *walk, nck_num far, nck_stretch_t *stre
     stretch->from = stretch->to;
     stretch->far = walk_on(walk, far);
     nck_stretch_look(walk, &stretch->to);
-    set_ways(stretch, walk->terms);
+    set_ways(stretch, walk);
 }
