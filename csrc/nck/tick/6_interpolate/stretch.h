@@ -5,7 +5,7 @@
 
 #include <string.h> // memcmp memcpy
 
-#include "nck/base/limits.h"  // NCK_HAS_OPTIMAL
+#include "nck/base/limits.h"  // NCK_CLOCKED_AXES
 #include "nck/base/link.h"    // nck_link_t
 #include "nck/base/real.h"    // nck_num
 #include "nck/base/records.h" // nck_cell_t
@@ -38,9 +38,9 @@ typedef struct nck_stretch_walk {
 } nck_stretch_walk_t;
 
 // Where the axes have been at the last ticks [mm]: places of a ring.
-enum { NCK_STRETCH_PAST = 3, NCK_STRETCH_AXES = NCK_HAS_OPTIMAL ? NCK_AXIS_MAX : 1 };
+enum { NCK_STRETCH_PAST = 3 };
 typedef struct nck_stretch_past {
-    double at[NCK_STRETCH_PAST][NCK_STRETCH_AXES];
+    double at[NCK_STRETCH_PAST][NCK_CLOCKED_AXES];
     uint32_t last; // of them
 } nck_stretch_past_t;
 
