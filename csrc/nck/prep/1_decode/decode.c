@@ -396,10 +396,10 @@ nck_status_t nck_decode_diagnostic(nck_decode_t *self, nck_diagnostic_t *diagnos
     if (self->finding.count == 0) return NCK_EMPTY;
     self->finding.count--;
     *diagnostic_out = self->finding.queue[self->finding.count];
-    for (uint32_t k = self->finding.count; k-- > 0;) { // each takes the place before it
+    for (uint32_t k = self->finding.count; k > 0; k--) { // each takes the place before it
         const nck_diagnostic_t behind = *diagnostic_out;
-        *diagnostic_out = self->finding.queue[k];
-        self->finding.queue[k] = behind;
+        *diagnostic_out = self->finding.queue[k - 1];
+        self->finding.queue[k - 1] = behind;
     }
     return NCK_OK;
 }

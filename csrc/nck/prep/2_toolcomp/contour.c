@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The contour: blocks as lines and arcs of the plane, in a ring.
 #include "nck/prep/2_toolcomp/parts.h"
-#include "nck/base/real.h" // nck_real_of
 
 #include <assert.h> // assert
 #include <string.h> // memcpy memset
@@ -72,8 +71,8 @@ static nck_comp_entry_t *read_entry(nck_toolcomp_t *self, const nck_block_t *blo
     double p[2];
     double q[2];
     for (unsigned k = 0; k < 2; k++) {
-        p[k] = nck_real_of(self->reached_nm[self->axis[k]]) * 1e-6;
-        q[k] = nck_real_of(block->target_nm[self->axis[k]]) * 1e-6;
+        p[k] = nck_comp_mm(self->reached_nm[self->axis[k]]);
+        q[k] = nck_comp_mm(block->target_nm[self->axis[k]]);
     }
     if (block->kind == NCK_BLOCK_ARC) {
         nck_shape_arc(p, q, block->centre_mm, block->sweep_rad, &entry->contour);
@@ -91,7 +90,7 @@ static nck_status_t go_straight(nck_toolcomp_t *self, const nck_block_t *block) 
     nck_comp_stretch_t way;
     double to[2];
     for (unsigned k = 0; k < 2; k++) {
-        to[k] = nck_real_of(block->target_nm[self->axis[k]]) * 1e-6 - self->nose[k];
+        to[k] = nck_comp_mm(block->target_nm[self->axis[k]]) - self->nose[k];
     }
     nck_shape_line(self->at, to, &way.shape);
     way.height[0] = nck_comp_height(self, self->given_nm);

@@ -20,8 +20,8 @@ static nck_status_t check_place(nck_toolcomp_t *self, const nck_block_t *block, 
     if (roams || (at_nm >= travel->min_nm && at_nm <= travel->max_nm)) return NCK_OK;
     const int64_t limit_nm = at_nm < travel->min_nm ? travel->min_nm : travel->max_nm;
     const nck_status_t status = nck_comp_fail(self, NCK_E_TRAVEL, block->line,
-                                              nck_real_of(at_nm) * 1e-6,
-                                              nck_real_of(limit_nm) * 1e-6);
+                                              nck_comp_mm(at_nm),
+                                              nck_comp_mm(limit_nm));
     self->error.letter = 'X' + (int)axis;
     return status;
 }
@@ -53,8 +53,8 @@ static nck_status_t bend(nck_toolcomp_t *self, const nck_shape_t *shape, nck_blo
     double to[2];
     for (unsigned k = 0; k < 2; k++) {
         const int64_t given_nm = self->given_nm[self->axis[k]];
-        from[k] = nck_real_of(given_nm) * 1e-6;
-        d[k] = nck_real_of(out->target_nm[self->axis[k]] - given_nm) * 1e-6;
+        from[k] = nck_comp_mm(given_nm);
+        d[k] = nck_comp_mm(out->target_nm[self->axis[k]] - given_nm);
         c[k] = shape->c[k] + self->nose[k] - from[k];
     }
     const double length = nck_arc_norm(d[0], d[1]);

@@ -7,7 +7,7 @@
 #include "nck/base/real.h" // nck_min nck_max nck_real_of
 
 double nck_comp_height(const nck_toolcomp_t *self, const int64_t *place_nm) {
-    return self->plane == 17 ? nck_real_of(place_nm[NCK_AXIS_Z]) * 1e-6 : 0.0;
+    return self->plane == 17 ? nck_comp_mm(place_nm[NCK_AXIS_Z]) : 0.0;
 }
 
 void nck_comp_wall(nck_toolcomp_t *self, uint32_t count, nck_comp_stretch_t *out) {

@@ -26,6 +26,9 @@ void nck_comp_off(nck_toolcomp_t *self);
 nck_status_t nck_comp_fail(nck_toolcomp_t *self, nck_status_t code, uint32_t line, double value,
                            double limit);
 
+// ring.c: nanometres in millimetres. Cost: constant.
+double nck_comp_mm(int64_t nm);
+
 // ring.c: 1 if the path beside the contour of an entry is given, to its end or in part. Cost:
 // constant.
 int nck_comp_is_given(const nck_toolcomp_t *self, uint32_t count);

@@ -2,7 +2,7 @@
 // The ring of blocks that wait, and the path through them.
 #include "nck/prep/2_toolcomp/parts.h"
 
-#include "nck/base/real.h" // NCK_APART
+#include "nck/base/real.h" // NCK_APART nck_real_of
 
 nck_comp_entry_t *nck_comp_at(nck_toolcomp_t *self, uint32_t count) {
     return &self->ring.at[count & (NCK_COMP_ROWS - 1)];
@@ -17,6 +17,8 @@ void nck_comp_off(nck_toolcomp_t *self) {
     self->walk.part = 0;
     self->ring.tail = self->ring.head;
 }
+
+NCK_APART double nck_comp_mm(int64_t nm) { return nck_real_of(nm) * 1e-6; }
 
 NCK_APART nck_status_t nck_comp_fail(nck_toolcomp_t *self, nck_status_t code, uint32_t line,
                                      double value, double limit) {

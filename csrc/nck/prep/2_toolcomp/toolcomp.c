@@ -17,7 +17,7 @@ void nck_toolcomp_init(nck_toolcomp_t *self, const nck_machine_t *machine) {
 void nck_toolcomp_move(const nck_toolcomp_t *self, nck_block_t *block) {
     if (block->kind > NCK_BLOCK_ARC && block->kind < NCK_BLOCK_THREAD) return;
     for (unsigned k = 0; k < 2 && block->kind == NCK_BLOCK_ARC; k++) {
-        block->centre_mm[k] += nck_real_of(block->tool_nm[nck_plane_axis(block->plane, k)]) * 1e-6;
+        block->centre_mm[k] += nck_comp_mm(block->tool_nm[nck_plane_axis(block->plane, k)]);
     }
     for (int x = NCK_AXIS_X; x <= NCK_AXIS_Z; x++) {
         if (self->machine->axis[x].present) block->target_nm[x] += block->tool_nm[x];
@@ -62,7 +62,7 @@ static void switch_on(nck_toolcomp_t *self, const nck_block_t *block) {
     for (unsigned k = 0; k < 2; k++) {
         self->axis[k] = (uint8_t)nck_plane_axis(block->plane, k);
         self->nose[k] = block->centre_mm[k];
-        self->at[k] = nck_real_of(self->given_nm[self->axis[k]]) * 1e-6 - self->nose[k];
+        self->at[k] = nck_comp_mm(self->given_nm[self->axis[k]]) - self->nose[k];
     }
 }
 

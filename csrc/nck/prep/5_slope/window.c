@@ -48,7 +48,7 @@ static void walk(const nck_pieces_t *pieces, uint32_t *number, double *s, double
     *s += left;
 }
 
-static NCK_APART void push(nck_jerk_t *self, uint32_t piece, double s, double h, double vv) {
+static void push(nck_jerk_t *self, uint32_t piece, double s, double h, double vv) {
     const uint32_t n = self->work.n;
     assert(n < NCK_PROFILE_ROWS && h >= 0.0 && vv >= 0.0);
     self->rung_piece[n] = piece;
