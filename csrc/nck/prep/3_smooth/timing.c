@@ -20,7 +20,7 @@
 #define SWINGS ((nck_num)0.1)
 #define FAR ((nck_num)1e9) // [path mm] is beyond any path
 #define FASTEST ((nck_num)1.5) // most that a plan may change the clock by at once
-#define TURNS ((nck_num)0.001) // … and a feed a revolution changes by no more of itself from knot to knot
+#define TURNS ((nck_num)0.001) // … and a feed a revolution changes by no more from knot to knot
 
 // How far a place looks about, in time at the feed [s].
 static double reach_of(const nck_timing_t *self) { return REACH_KNOTS * self->terms->tau; }
@@ -189,6 +189,13 @@ static nck_num wide_at(const nck_timing_t *self, const nck_track_t *track, uint3
     return nck_num_min(most, nck_num_max(grows * way * (1 - way / length), 0));
 }
 
+// How far the path is known to both sides of s, or goes on straight.
+static nck_num room_at(const nck_timing_t *self, const nck_track_t *track, double s) {
+    const double first = nck_track_at(track, track->tail)->s;
+    const nck_num ahead = self->closed ? FAR : (nck_num)(nck_track_known(track) - s);
+    return first > 0.0 ? nck_num_min(ahead, (nck_num)(s - first)) : ahead;
+}
+
 nck_status_t nck_timing_look(nck_timing_t *self, const nck_track_t *track) {
     self->brakes = 0;
     if (self->looked || self->guess.head - self->guess.tail == NCK_TIMING_PLACES) return NCK_DONE;
@@ -203,9 +210,7 @@ nck_status_t nck_timing_look(nck_timing_t *self, const nck_track_t *track) {
         self->brakes = self->guess.head - self->guess.tail < NCK_FAIR_WINDOW;
         if (s > sight.known) return NCK_DONE;
     }
-    const double first = nck_track_at(track, track->tail)->s;
-    sight.room = self->closed ? FAR : (nck_num)(sight.known - s);
-    if (first > 0.0) sight.room = nck_num_min(sight.room, (nck_num)(s - first));
+    sight.room = room_at(self, track, s);
     sight.tolerance = (nck_num)element->tolerance;
     nck_track_view(track, *near, s, &sight.middle);
     const nck_num wide = wide_at(self, track, near, s);

@@ -27,14 +27,14 @@ typedef struct nck_timing_terms {
     nck_num v[NCK_AXIS_MAX]; // of every axis [mm/s]
     nck_num a[NCK_AXIS_MAX]; // [mm/s²]
     nck_num j[NCK_AXIS_MAX]; // [mm/s³]
-    nck_num smooth[NCK_AXIS_MAX]; // what a curve's jerk is measured by: j, or A/τ where that is less
+    nck_num smooth[NCK_AXIS_MAX]; // what a curve's jerk is measured by: j, A/τ where that is less
     nck_num smooth_least;
     double along[2]; // along the path, acceleration [mm/s²] and jerk [mm/s³]; 0: as axes have it
     nck_num v_most;  // the most of the axes
     double spin_a;  // how fast the spindle follows a surface speed [rpm/s]; 0: at once
     nck_num a_least; // the least of the axes and the path
-    nck_num a_reached; // the most that an axis reaches: by its limit, or since its jerk builds it up
-                      // over no more than twice its speed
+    nck_num a_reached; // the most that an axis reaches: by its limit, or since its jerk builds it
+                       // up over no more than twice its speed
     nck_num j_least;
     nck_num longest; // what a knot takes at most where nothing is near, in τ; 1 at least
 } nck_timing_terms_t;

@@ -80,6 +80,11 @@ static inline void nck_zone_count_dense(nck_lookahead_t *self, const nck_junctio
     if (!is_dense) self->junction.dense = self->junction.settled + 1;
 }
 
+// How many segs of a walk along a dense row, or along none, need not be looked at. Cost: constant.
+static inline uint32_t nck_zone_skips(const nck_lookahead_t *self, int is_dense) {
+    return is_dense && !self->terms->limits_jerk ? NCK_CORNER_SPAN : 0;
+}
+
 // The largest share that junctions use, by pace, so near before (after) the seg's start (end) that
 // it must be kept free there. before: of the next seg that is placed. after: NCK_EMPTY if junctions
 // are not decided that far.
@@ -87,9 +92,9 @@ static inline void nck_zone_count_dense(nck_lookahead_t *self, const nck_junctio
 static inline void nck_zone_shares_before(nck_lookahead_t *self, uint32_t count,
                                           nck_zone_reach_t *reach) {
     const nck_zone_reach_t begin = {{0.0, 0.0}, {0.0, 0.0}, NCK_UNLIMITED};
-    const int skips = nck_zone_is_dense(self, count - NCK_CORNER_SPAN) && !self->terms->limits_jerk;
+    const int is_dense = nck_zone_is_dense(self, count - NCK_CORNER_SPAN);
     *reach = begin;
-    for (uint32_t n = skips ? NCK_CORNER_SPAN : 0; n < NCK_CORNER_SPAN; n++) {
+    for (uint32_t n = nck_zone_skips(self, is_dense); n < NCK_CORNER_SPAN; n++) {
         if (count == 0) return;
         count--;
         const nck_junction_t *const junction = nck_junction_at(self, count);
@@ -107,8 +112,7 @@ static inline nck_status_t nck_zone_shares_after(nck_lookahead_t *self, uint32_t
     const int is_dense = nck_zone_is_dense(self, count) && !self->ended;
     if (is_dense && self->junction.decided - count < NCK_CORNER_SPAN) return NCK_EMPTY;
     *reach = begin;
-    const int skips = is_dense && !self->terms->limits_jerk;
-    for (uint32_t n = skips ? NCK_CORNER_SPAN : 0; n < NCK_CORNER_SPAN; n++) {
+    for (uint32_t n = nck_zone_skips(self, is_dense); n < NCK_CORNER_SPAN; n++) {
         if (count == self->junction.decided) return NCK_EMPTY;
         nck_zone_meet(reach, junction, self->zone_s);
         if (nck_zone_parts(junction, self->zone_s)) return NCK_OK;
