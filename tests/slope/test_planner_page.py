@@ -137,7 +137,7 @@ def plan(request):
 
 
 def test_the_numbers_are_those_of_the_source():
-    rows = re.findall(r"^\| [^|]+ \| ([-\d.e]+) \| (\w+) \| (\S+) \| [^|]+ \|$", NUMBERS, re.M)
+    rows = re.findall(r"^\| [^|]+ \| ([-\d.e]+) \| (\w+) \| (\S+) \|$", NUMBERS, re.M)
     assert len(rows) > 40
     for value, name, file in rows:
         source = (ROOT / "csrc" / "nck" / file).read_text(encoding="utf-8")

@@ -93,7 +93,7 @@ static void a_rest_is_left_by_a_share_of_the_jerk(check_t *check)
     for (uint32_t k = clock_.guess.tail; k != clock_.guess.head; k++) {
         const nck_place_t *const place = &clock_.guess.at[k % NCK_TIMING_PLACES];
         const double x = place->s < 0.5 * LINE ? place->s : LINE - place->s;
-        const double most = cbrt(4.5 * 7000.0 * x * x) * (1.0 + (double)NCK_NUM_EPSILON);
+        const double most = cbrt(4.5 * 4000.0 * x * x) * (1.0 + (double)NCK_NUM_EPSILON);
         CHECK(check, (double)place->v <= most + 1e-9);
     }
 }

@@ -4,10 +4,6 @@
 
 #include "nck/base/motion_math.h" // nck_motion_jerk
 #include "nck/base/motion_rows.h" // nck_motion_shape
-#include "nck/base/tuning.h"      // NCK_MET
-
-// What a reserve is larger by than what it is for: rows may be broken by as much in the end.
-#define MET NCK_NUM_OF(NCK_MET)
 
 // Places of half a cell that are looked at, an eighth of a cell apart.
 enum { SPOTS = 5 };
@@ -127,9 +123,9 @@ static void reserve(nck_motion_t *self, int node, nck_num most, nck_num fastest)
     nck_num *const lane = &self->sums.most[node % NCK_MOTION_LANES];
     *lane = nck_num_max(*lane, nck_num_max(share, speed));
     if (node > 0 && node <= self->wish.fixed) return;
-    if (share > NCK_NUM_OF(1)) *reserve += share - NCK_NUM_OF(1) + MET;
+    if (share > NCK_NUM_OF(1)) *reserve += share - NCK_NUM_OF(1) + NCK_MOTION_MARGIN;
     if (speed > NCK_NUM_OF(1) && !(self->wish.ends & NCK_MOTION_SOFT)) {
-        self->cap[node + 1] /= (speed + MET) * (speed + MET);
+        self->cap[node + 1] /= (speed + NCK_MOTION_MARGIN) * (speed + NCK_MOTION_MARGIN);
         self->scale[node + 1] = NCK_NUM_OF(1) / self->cap[node + 1];
     }
 }

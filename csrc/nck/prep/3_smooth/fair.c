@@ -4,14 +4,19 @@
 
 #include <string.h> // memset
 
-#include "nck/base/tuning.h"              // NCK_ROOM NCK_WAY
 #include "nck/prep/3_smooth/basis_math.h" // nck_basis_…
 
+#define ROOM ((nck_num)0.3)  // [P²] a slack begins with at least
 #define BETTER ((nck_num)0.02) // [P²] by which a sample is worse before a row changes to it:
-                               // less and noise makes them take turns
-#define SOUND ((nck_num)0.02) // [P²] that a slack may be off at the end, times the gap
+                                 // less and noise makes them take turns
+#define SOUND ((nck_num)2e-3)    // [P²] that a slack may be off at the end …
+#define SOUND_PER_GAP ((nck_num)0.02) // … or so much of a wide gap
+#define FARTHEST ((nck_num)0.95) // of the way to the nearest slack or price of zero
+#define LEAST_MU ((nck_num)1e-3) // that it begins with, where nothing jerks
 #define SMALL ((nck_num)0.02) // an objective of so much a row is as good as none
-#define FALL ((nck_num)0.2) // share of the complement that a step leads to
+#define FAR ((nck_num)0.1)    // [P²] rows are missed by so much at first: then SLOWLY
+#define SLOWLY ((nck_num)0.3) // share of the complement that a step leads to
+#define QUICKLY ((nck_num)0.1)
 #define ENOUGH ((nck_num)0.4) // of the gap that is asked for: nothing is gained by less
 #define WORK 8000 // operations a call: 40 000 instructions of a processor without vectors
 
@@ -102,6 +107,7 @@ static inline nck_num find_worst(nck_fair_t *self, int axes, int b, nck_num (*cu
             found = k;
         }
     }
+    self->sum.worst = nck_num_max(self->sum.worst, worst);
     if (found != kept && worst > most + bar) {
         kept = found;
         most = measure(self, axes, kept, cubic, e);
@@ -113,7 +119,7 @@ static inline nck_num find_worst(nck_fair_t *self, int axes, int b, nck_num (*cu
 // Look at a row: a slack below its row's would jam the steps, so it is raised.
 static inline void look_at_row(nck_fair_t *self, int axes, int b, nck_num (*cubic)[4]) {
     const nck_num room = self->limit[b] - find_worst(self, axes, b, cubic);
-    if (self->iterations == 0) self->slack[b] = nck_num_max(room, NCK_NUM_OF(NCK_ROOM));
+    if (self->iterations == 0) self->slack[b] = nck_num_max(room, ROOM);
     else self->slack[b] = nck_num_max(room, self->slack[b]);
     self->sum.primal = nck_num_max(self->sum.primal, self->slack[b] - room);
     if (self->iterations > 0) self->sum.complement += self->slack[b] * self->price[b];
@@ -332,10 +338,10 @@ static inline void back_at(nck_fair_t *self, int axes, int i) {
     for (int k = 0; k < NCK_FAIR_BINS; k++) respond(self, axes, NCK_FAIR_BINS * i + k, cubic);
 }
 
-// All prices for the first iteration; least: what μ is led to at the end.
-static void set_prices(nck_fair_t *self, nck_num least) {
+// All prices for the first iteration.
+static void set_prices(nck_fair_t *self) {
     const int rows = self->task.knots * NCK_FAIR_BINS;
-    self->sum.mu = nck_num_max(self->sum.objective / (nck_num)(2 * rows), least);
+    self->sum.mu = nck_num_max(self->sum.objective / (nck_num)(2 * rows), LEAST_MU);
     for (int b = 0; b < rows; b++) self->price[b] = self->sum.mu / self->slack[b];
     self->sum.complement = (nck_num)rows * self->sum.mu;
 }
@@ -344,11 +350,12 @@ static void set_prices(nck_fair_t *self, nck_num least) {
 static int is_done(nck_fair_t *self) {
     const nck_num rows = (nck_num)(self->task.knots * NCK_FAIR_BINS);
     const nck_num bar = self->task.gap * (self->sum.objective + SMALL * rows);
-    const nck_num least = ENOUGH * bar / rows;
-    if (self->iterations == 0) set_prices(self, least);
-    else if (self->sum.complement <= bar && self->sum.primal < SOUND * self->task.gap) return 1;
+    const nck_num sound = nck_num_max(SOUND, SOUND_PER_GAP * self->task.gap);
+    if (self->iterations == 0) set_prices(self);
+    else if (self->sum.complement <= bar && self->sum.primal < sound) return 1;
     if (self->iterations >= self->task.most) return 1;
-    self->sum.mu = nck_num_max(FALL * self->sum.complement / rows, least);
+    const nck_num shrink = self->sum.primal > FAR ? SLOWLY : QUICKLY;
+    self->sum.mu = nck_num_max(shrink * self->sum.complement, ENOUGH * bar) / rows;
     self->sum.shrink = 0;
     self->sum.cheapen = 0;
     return 0;
@@ -356,11 +363,12 @@ static int is_done(nck_fair_t *self) {
 
 // Newton's step is known: how much of it keeps slacks and prices positive.
 static void set_steps(nck_fair_t *self) {
-    self->sum.step = self->sum.shrink > NCK_WAY ? NCK_WAY / self->sum.shrink : 1;
-    self->sum.step_price = self->sum.cheapen > NCK_WAY ? NCK_WAY / self->sum.cheapen : 1;
+    self->sum.step = self->sum.shrink > FARTHEST ? FARTHEST / self->sum.shrink : 1;
+    self->sum.step_price = self->sum.cheapen > FARTHEST ? FARTHEST / self->sum.cheapen : 1;
     self->sum.objective = 0;
     self->sum.complement = 0;
     self->sum.primal = 0;
+    self->sum.worst = 0;
     self->iterations++;
 }
 
@@ -394,9 +402,9 @@ static inline void work(nck_fair_t *self, int axes) {
     }
 }
 
-nck_num nck_fair_tightness(const nck_fair_t *self, int i) {
+nck_num nck_fair_tightness(const nck_fair_t *self, int i, int intervals) {
     nck_num sum = 0;
-    for (int b = NCK_FAIR_BINS * i; b < NCK_FAIR_BINS * (i + 1); b++) sum += self->price[b];
+    for (int b = NCK_FAIR_BINS * i; b < NCK_FAIR_BINS * (i + intervals); b++) sum += self->price[b];
     return sum;
 }
 

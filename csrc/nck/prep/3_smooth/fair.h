@@ -70,6 +70,7 @@ typedef struct nck_fair {
         nck_num objective;
         nck_num complement; // Σ s·z
         nck_num primal;     // most that a slack is off its row
+        nck_num worst;      // most |e|²
         nck_num shrink;     // most by which a full step would shrink a slack, and a price, as a
         nck_num cheapen;    // share of it
         nck_num step;       // of the unknown and slacks, and of prices
@@ -116,9 +117,9 @@ static inline uint32_t nck_fair_price(const nck_fair_t *self) {
     return (uint32_t)self->slice * each[axes - 1][solves ? NCK_FAIR_SOLVE : self->phase];
 }
 
-// What holds the curve back in the interval i: the prices of its rows. Cost: constant.
-// Context: prep.
-nck_num nck_fair_tightness(const nck_fair_t *self, int i);
+// What holds the curve back in so many intervals from the i-th on: the prices of their rows.
+// Cost: linear in them. Context: prep.
+nck_num nck_fair_tightness(const nck_fair_t *self, int i, int intervals);
 
 // Work on it: a slice of an iteration. Returns NCK_OK (call again); NCK_DONE: y is the answer.
 // Cost: 8 000 operations or one interval. Context: prep.

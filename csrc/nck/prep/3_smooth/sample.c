@@ -8,7 +8,9 @@
 #include "nck/base/real.h" // nck_num_max nck_num_min …
 #include "nck/prep/3_smooth/reference.h" // nck_reference_follow nck_reference_point
 
-#define SHARE ((nck_num)0.98) // of P that samples may use: the solver is done when it is near
+#define PLENTY 8      // bins of the window may have as many samples as this one without its choice
+#define PARTS 8       // of a stretch, where its bound is not within P
+#define REST_BINS 16  // of an interval on the way to a rest, over which s is as good as straight
 #define ROUNDING ((nck_num)2e-6) // [mm] kept of the tolerance: setpoints are whole nanometres
 #define LOSS (8 * NCK_NUM_EPSILON) // what eight sums lose of the largest number in them
 
@@ -210,7 +212,7 @@ static void fill_bin(nck_stream_t *self, cubic_t *cubic, const bin_t *bin, doubl
     nck_track_offset(&self->track, &cubic->from, self->near, middle, point);
     add_point(self, cubic, (bin->w[0] + bin->w[1]) / 2, point);
     const uint32_t vertices = bin->last - bin->first;
-    if (vertices > 2 && (int)vertices > nck_fair_room(&self->work.fair)) {
+    if (vertices > 2 && (int)vertices > nck_fair_room(&self->work.fair) / PLENTY) {
         add_extremes(self, cubic, bin);
     } else {
         for (uint32_t n = 1; n <= vertices; n++) add_vertex(self, cubic, bin, bin->first + n);
@@ -218,8 +220,8 @@ static void fill_bin(nck_stream_t *self, cubic_t *cubic, const bin_t *bin, doubl
     for (uint32_t n = bin->first; vertices > 0 && n != bin->last + 1; n++) {
         add_arc(self, cubic, bin, n);
     }
-    nck_fair_close_bin(&self->work.fair,
-                       SHARE * room_of(self, bin->tolerance) / (nck_num)self->unit);
+    nck_fair_close_bin(&self->work.fair, (nck_num)self->share * room_of(self, bin->tolerance)
+                                             / (nck_num)self->unit);
 }
 
 void nck_sample_interval(nck_stream_t *self, int i) {
@@ -328,14 +330,14 @@ static nck_num most_along_parts(const nck_stream_t *self, cubic_t *cubic, const 
     nck_num point[NCK_AXIS_MAX];
     nck_num off[NCK_AXIS_MAX];
     reach_t part = *on;
-    for (int k = 1; k <= NCK_FAIR_BINS; k++) {
-        const nck_num share = (nck_num)k / (nck_num)NCK_FAIR_BINS;
+    for (int k = 1; k <= PARTS; k++) {
+        const nck_num share = (nck_num)k / (nck_num)PARTS;
         const double s = on->s[0] + (on->s[1] - on->s[0]) * (double)share;
         part.w[1] = on->w[0] + (on->w[1] - on->w[0]) * share;
         nck_track_offset(&self->track, &cubic->from, on->element, s, point);
         (void)set_off(self, cubic, part.w[1], point, off);
         part.s[1] = is_straight ? s : nearest(self, on->element, s, off);
-        part.s[1] = k < NCK_FAIR_BINS ? nck_min(nck_max(part.s[1], part.s[0]), on->s[1]) : on->s[1];
+        part.s[1] = k < PARTS ? nck_min(nck_max(part.s[1], part.s[0]), on->s[1]) : on->s[1];
         most = nck_num_max(most, most_along(self, cubic, &part));
         part.s[0] = part.s[1];
         part.w[0] = part.w[1];
@@ -456,9 +458,8 @@ double nck_sample_rest_miss(nck_stream_t *self, const nck_sample_rest_t *rest, i
     self->near = nck_track_find(&self->track, self->near, s);
     nck_track_view(&self->track, self->near, s, &cubic.from);
     set_cubic(self->track.axes, c, &cubic);
-    for (int n = 0; n < NCK_FAIR_BINS; n++) {
-        const nck_num share = 1 / (nck_num)NCK_FAIR_BINS;
-        bin_t bin = {.w = {share * (nck_num)n, share * (nck_num)(n + 1)}};
+    for (int n = 0; n < REST_BINS; n++) {
+        bin_t bin = {.w = {(nck_num)n / (nck_num)REST_BINS, (nck_num)(n + 1) / (nck_num)REST_BINS}};
         bin.s[0] = spline_of(&rest->place[i], bin.w[0]);
         bin.s[1] = nck_max(spline_of(&rest->place[i], bin.w[1]), bin.s[0]);
         set_elements(self, &bin);

@@ -70,6 +70,7 @@ typedef struct nck_stream {
     uint8_t sound;       // 1: the curve is the smoothest one, as far as it is sought
     int given;           // intervals of it to give, once it is proven
     int commit;          // the same, when it is: 0 before
+    double share;        // of P that samples may use
     double miss;         // |r − p|/P at most, as far as it is proven
     double unit;         // P of the window [mm]
     uint32_t near;       // element where something was found last

@@ -7,9 +7,10 @@
 #include "nck/base/root_math.h"       // nck_root_cube
 #include "nck/prep/3_smooth/timing.h" // nck_timing_t
 
-#define NCK_TIMING_ASK ((nck_num)0.7) // share of acceleration, and of jerk from a rest, that the
-                                      // guess builds up speed with
-#define NCK_TIMING_REST ((nck_num)4.5 * NCK_TIMING_ASK) // v³ over J x² where it leaves a rest
+#define NCK_TIMING_LEAVE 0.4 // share of the jerk that the guess leaves a rest with
+#define NCK_TIMING_REST ((nck_num)(4.5 * NCK_TIMING_LEAVE)) // v³ over J x² there
+#define NCK_TIMING_ASK ((nck_num)0.7) // share of the acceleration that the guess builds up speed
+                                      // with
 
 // Places or quarters a call: 5 000 instructions of a processor with doubles.
 enum { NCK_TIMING_SLICE = 24 };

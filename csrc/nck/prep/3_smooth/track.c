@@ -14,6 +14,7 @@
 static const double costs[NCK_TRACK_LEVELS] = {1.0 / 32.0, 1.0 / 8.0, 1.0 / 4.0, 1.0 / 2.0};
 #define EVEN 1e9 // [path mm] is beyond any path
 #define EVENS 40.0 // where a feed is even it is so by so much more a mm: knots grow there
+#define SPAN 0.5 // how long joining makes a line, in knots at the feed: nothing looks closer
 
 void nck_track_begin(nck_track_t *self, int axes, double knot_s, double spin_a) {
     self->axes = axes;
@@ -116,13 +117,12 @@ static void set_arc(nck_track_element_t *element, const nck_seg_arc_t *arc) {
     while (nck_plane_axis(element->plane, 0) != arc->axis_u) element->plane++;
 }
 
-// Join the line to the newest element, up to a knot at the feed: nothing looks closer. Returns 1,
-// or 0: it cannot be.
+// Join the line to the newest element. Returns 1, or 0: it cannot be.
 static int join(nck_track_t *self, const nck_seg_t *seg, double tolerance) {
     nck_track_element_t *const line = newest(self);
     const double length = line->length + seg->length;
     if (seg->kind != NCK_SEG_LINE || seg->rapid || self->join.tolerance != tolerance
-        || !is_same(self, line, seg) || length > self->knot_s * seg->feed) {
+        || !is_same(self, line, seg) || length > SPAN * self->knot_s * seg->feed) {
         return 0;
     }
     narrow(self, line);

@@ -10,6 +10,8 @@
 // Cells of half an interval: that many where a slower feed begins. With 4 a jerk is passed by 1.5 %
 // in the worst of 600 programs whose overrides come down, with 8 by 0.4 %.
 enum { PARTS_MOST = 16 };
+// Of an axis' jerk, what a cell may be off its plan by.
+#define CELL_SHARE 0.003
 
 // Acceleration b′/2 in the middle of interval k. Beyond the ends b is even, as in base/motion.h.
 static double middle_accel(const nck_optimal_pace_t *pace, double knot, uint32_t k) {
@@ -101,7 +103,7 @@ static void put_cell(nck_optimal_t *self, const nck_node_t *piece, const portion
 // sample of jerk feels it whole.
 static int parts_of(nck_optimal_t *self, const nck_node_t *piece, const portion_t *on) {
     const double scale = piece->length / self->terms->knot_s;
-    const double most = NCK_OPTIMAL_CELL_SHARE * self->j_least * self->terms->machine->period_s;
+    const double most = CELL_SHARE * self->j_least * self->terms->machine->period_s;
     const double v0 = nck_sqrt(on->b0);
     const double v1 = nck_sqrt(on->b1);
     const double turn = nck_fabs((on->a1 - on->a0) * (v1 - v0)) * scale;

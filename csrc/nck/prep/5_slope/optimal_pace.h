@@ -3,7 +3,6 @@
 #ifndef NCK_PREP_OPTIMAL_PACE_H
 #define NCK_PREP_OPTIMAL_PACE_H
 
-#include "nck/base/tuning.h"           // NCK_MET
 #include "nck/prep/5_slope/optimal.h" // nck_optimal_t
 
 // Sizes.
@@ -12,8 +11,8 @@ enum {
     NCK_OPTIMAL_FILL = 4, // nodes filled in one bounded step
     NCK_OPTIMAL_DRAW = 8  // cells drawn, and what is left of an interval: up to 32
 };
-// Of an axis' jerk, what a cell may be off its plan by.
-#define NCK_OPTIMAL_CELL_SHARE 0.003
+// A plan that keeps within so much of the caps needs no price.
+#define NCK_OPTIMAL_NOT_SLOWER 0.999
 
 // Of the speed now, what one plan is slowed down to at least: 25 to 40 iterations; the next one
 // goes on from there, once that is reached. With 0.05 an override of 1 % takes up to 7 times as
@@ -33,10 +32,9 @@ static inline int nck_optimal_goes_on(const nck_optimal_t *self) {
     return self->job.kind != NCK_JOB_START;
 }
 
-// 1 if caps have come down below what the plan of now is about to do: one that keeps within what a
-// plan may be off needs no price. Cost: constant.
+// 1 if caps have come down below what the plan of now is about to do. Cost: constant.
 static inline int nck_optimal_slows(const nck_optimal_t *self) {
-    return self->slower < 1.0 - NCK_MET;
+    return self->slower < NCK_OPTIMAL_NOT_SLOWER;
 }
 
 // v² that a plan slows down to at least at a node, whatever is wanted there: that share of what the
