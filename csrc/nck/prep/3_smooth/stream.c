@@ -327,9 +327,8 @@ static nck_status_t begin_motion(nck_stream_t *self) {
     wish.axes = terms->axes;
     wish.nodes = self->clock.knots + 1;
     wish.ends = (self->clock.ends ? NCK_MOTION_FREE_END : NCK_MOTION_OPEN_END)
-               | (self->clock.begins ? 0U : NCK_MOTION_INSIDE);
+               | (self->clock.begins ? 0U : NCK_MOTION_INSIDE) | NCK_MOTION_COARSE;
     wish.most = self->wish.most;
-    wish.ends |= NCK_MOTION_COARSE;
     wish.gap = PLAN_GAP;
     wish.room = PLAN_ROOM;
     return nck_motion_begin(&self->work.plan.motion, &self->work.plan.work, &wish);
