@@ -12,20 +12,25 @@
 // The most of k″T²: what does not move may be slowed down in 7 periods.
 #define CHANGE_MOST NCK_NUM_OF(0.04)
 
+// No less than low and no more than high says who hears so much of k″.
+static void narrow(nck_allow_t *range, nck_num low, nck_num high, nck_num is) {
+    if (low > range->low) {
+        range->low = low;
+        range->low_is = is;
+    }
+    if (high < range->high) {
+        range->high = high;
+        range->high_is = is;
+    }
+}
+
 // |base + per·k″| ≤ most
 static void bound(nck_allow_t *range, nck_num base, nck_num per, nck_num most) {
     const nck_num size = nck_num_max(NCK_NUM_ABS(per), ALONG_LEAST * most);
     const nck_num up = per < 0 ? -base : base;
     const nck_num low = (-most - up) / size;
     const nck_num high = (most - up) / size;
-    if (low > range->low) {
-        range->low = low;
-        range->low_is = size / most;
-    }
-    if (high < range->high) {
-        range->high = high;
-        range->high_is = size / most;
-    }
+    narrow(range, low, high, size / most);
 }
 
 nck_num nck_allow_between(const nck_allow_t *range) {
@@ -143,14 +148,7 @@ static void bound_bent(nck_allow_t *range, nck_num base, const nck_allow_sample_
     const nck_num least = NCK_NUM_OF(0.5);
     const nck_num lower = low / nck_num_max(least, 1 + bend * low);
     const nck_num higher = high / nck_num_max(least, 1 + bend * high);
-    if (lower > range->low) {
-        range->low = lower;
-        range->low_is = size / most;
-    }
-    if (higher < range->high) {
-        range->high = higher;
-        range->high_is = size / most;
-    }
+    narrow(range, lower, higher, size / most);
 }
 
 // What a sample allows of an axis, or of the path.
