@@ -8,6 +8,8 @@ import test_linuxcnc_servo
 from linuxcnc_stand_in import BY_TICK, EVER, Machine, StandIn
 
 
+ARCS = [f"arc 100 {n} 0 0 0 0 0 0 0 0 {n - 0.5} {0.3 * (-1) ** n} 0 0 0 {(-1) ** n} 0\nrun 1"
+        for n in range(1, 25)]  # fmt: skip
 EDGES = [f"line 100 {5 * (n + n % 2)} {5 * (n - n % 2)} 0\nrun 1" for n in range(1, 25)]
 
 
@@ -42,8 +44,9 @@ MOST = 250_000  # instructions of a cycle of 1 ms
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("script", [test_linuxcnc.ring(), [test_linuxcnc.WITHIN, *EDGES]],
-                         ids=["ring", "zigzag"])  # fmt: skip
+@pytest.mark.parametrize("script", [
+    test_linuxcnc.ring(), [test_linuxcnc.WITHIN, *EDGES], [test_linuxcnc.WITHIN, *ARCS]
+], ids=["ring", "zigzag", "arcs"])  # fmt: skip
 def test_a_cycle_is_bounded(stand_in, script):
     assert stand_in.count([*script, f"rest {EVER}"]).max() <= MOST
 

@@ -69,8 +69,7 @@ typedef int64_t nck_int64;
 #endif
 
 // A whole number as a real one. A processor with doubles in hardware has no instruction for it:
-// each half is exact, so their sum rounds as the whole would, and no soft double is
-// linked.
+// each half is exact, so their sum rounds as the whole would, and no soft double is linked.
 #if defined(__ARM_FP) && (__ARM_FP & 8)
 static NCK_APART __attribute__((unused)) double nck_real_of(int64_t n) {
     return (double)(int32_t)((uint64_t)n >> 32) * 4294967296.0 + (double)(uint32_t)n;

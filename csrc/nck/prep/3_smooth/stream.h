@@ -114,8 +114,8 @@ nck_status_t nck_stream_step(nck_stream_t *self);
 // What the next step takes at most, in hundreds of a PC's instructions; with arcs, whose points are
 // turned, more. Cost: constant. Context: prep.
 static inline uint32_t nck_stream_price(const nck_stream_t *self) {
-    static const uint16_t line[] = {90, 82, 0, 24, 37, 0, 48, 0, 23, 56, 165, 12, 12};
-    static const uint16_t arc[] = {175, 82, 0, 44, 50, 0, 48, 0, 23, 100, 415, 12, 12};
+    static const uint16_t line[] = {130, 82, 0, 24, 37, 0, 48, 0, 23, 78, 187, 12, 12};
+    static const uint16_t arc[] = {195, 82, 0, 44, 60, 0, 48, 0, 23, 117, 432, 12, 12};
     switch (self->phase) {
     case NCK_STREAM_CLOCK: return nck_timing_price(&self->clock);
     case NCK_STREAM_FAIR: return nck_fair_price(&self->work.fair);

@@ -120,7 +120,7 @@ static nck_num look_around(nck_timing_t *self, const nck_track_t *track, sight_t
         find_offset(self, track, sight, 2 * n + 1, sight->middle.s - (double)h, rung.back);
         rung.h = h;
         add_rung(terms, sight, n, &rung, &bends);
-        if (n == 0) v = axis_speed(terms, sight->odd[0], h);
+        if (h <= 2 * sight->tolerance) v = axis_speed(terms, sight->odd[0], h);
         h *= (nck_num)RUNG;
     }
     if (v * v * bends.second > USE * USE) v = USE / NCK_NUM_SQRT(bends.second);

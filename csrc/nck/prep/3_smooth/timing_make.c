@@ -206,8 +206,8 @@ static void take_mean(nck_timing_t *self, nck_timing_list_t *list) {
     for (; self->at < to; self->at++) {
         const int k = self->at;
         const int end = k < self->make.count - k ? k : self->make.count - k;
-        const int n = half < end ? half : end;
-        self->s[k] = (sum[k + n + 1].s - sum[k - n].s) * (n < half ? 1.0 / (2 * n + 1) : per);
+        const int n = end < half ? end : half;
+        self->s[k] = (sum[k + n + 1].s - sum[k - n].s) * (end < half ? 1.0 / (2 * end + 1) : per);
     }
     if (to < all) return;
     if (self->phase == NCK_TIMING_MEAN) {

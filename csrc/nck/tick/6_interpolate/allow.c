@@ -50,8 +50,7 @@ static nck_num most_of(nck_num all, nck_num plan, nck_num share) {
 static void bound_jerk(nck_allow_t *range, const nck_stretch_ways_t *on,
                        const nck_allow_pace_t *pace, const nck_num *times, nck_num share) {
     const nck_num third = nck_num_max(NCK_NUM_ABS(on->third[0]), NCK_NUM_ABS(on->third[1]));
-    const nck_num plan = third * pace->k * pace->k * pace->k;
-    const nck_num most = most_of(on->limit.j_max, plan, share);
+    const nck_num most = most_of(on->limit.j_max, third * pace->k * pace->k * pace->k, share);
     for (int n = 0; n < 2; n++) {
         const nck_num k = nck_num_max(0, pace->k + pace->dk * times[n]);
         bound(range, (on->third[n] * k * k + 3 * on->second[n] * pace->dk) * k,
@@ -127,12 +126,14 @@ void nck_allow_look(nck_allow_sample_t *samples, const nck_stretch_walk_t *walk,
         const double way = was[0][x] - was[1][x];
         const double gain = axis[x] - was[0][x] - way;
         const double turn = gain - (way - (was[1][x] - was[2][x]));
-        of->accel = (nck_num)(gain * per * per);
-        of->jerk = (nck_num)(turn * per * per * per);
+        of->is[0] = (nck_num)(gain * per * per);
+        of->is[1] = (nck_num)(turn * per * per * per);
         of->per = there.first[x];
         of->bend = half * there.second[x];
-        of->plan[0] = of->accel - at->first[x] * pace->dk;
-        of->plan[1] = of->jerk - 3 * at->second[x] * pace->k * pace->dk;
+        of->plan[0] = of->is[0] - at->first[x] * pace->dk;
+        of->plan[1] = of->is[1] - 3 * at->second[x] * pace->k * pace->dk;
+        of->way[0] = (nck_num)(axis[x] - was[1][x]);
+        of->way[1] = (nck_num)(axis[x] - was[2][x]);
     }
 }
 
@@ -151,39 +152,45 @@ static void bound_bent(nck_allow_t *range, nck_num base, const nck_allow_sample_
     narrow(range, lower, higher, size / most);
 }
 
-// What a sample allows of an axis, or of the path.
-static void bound_sample(nck_allow_t *range, const nck_allow_sample_t *sample, nck_num period,
-                         const nck_stretch_limit_t *limit, nck_num share) {
-    const nck_num accel = most_of(limit->a_max, sample->plan[0], share);
-    const nck_num jerk = most_of(limit->j_max, sample->plan[1], share);
-    bound_bent(range, sample->accel, sample, period, accel);
-    bound_bent(range, sample->jerk, sample, 1, jerk);
+// What a sample of acceleration (0) or of jerk (1) allows of an axis, or of the path.
+static void bound_sample(nck_allow_t *range, const nck_allow_sample_t *of, int order,
+                         nck_num period, const nck_stretch_limit_t *limit, nck_num share) {
+    const nck_num most = most_of(order ? limit->j_max : limit->a_max, of->plan[order], share);
+    bound_bent(range, of->is[order], of, order ? 1 : period, most);
 }
 
-static void add_sample(nck_allow_sample_t *sum, const nck_allow_sample_t *of, nck_num share) {
-    sum->accel += share * of->accel;
-    sum->jerk += share * of->jerk;
-    sum->plan[0] += share * of->plan[0];
-    sum->plan[1] += share * of->plan[1];
-    sum->per += share * of->per;
-    sum->bend += share * of->bend;
+// What of the samples lies along the path: along the chord of one, of acceleration (0) or of jerk
+// (1), or where that has no length yet, along the way that the path goes on.
+static void add_along(nck_allow_sample_t *path, const nck_allow_sample_t *all, int axes, int n) {
+    nck_num square[2] = {0, 0};
+    memset(path, 0, sizeof *path);
+    for (int x = 0; x < axes; x++) {
+        square[0] += all[x].way[n] * all[x].way[n];
+        square[1] += all[x].per * all[x].per;
+    }
+    const int begins = !(square[0] > 0);
+    const nck_num size = square[begins] > 0 ? 1 / NCK_NUM_SQRT(square[begins]) : 0;
+    for (int x = 0; x < axes; x++) {
+        const nck_allow_sample_t *const of = &all[x];
+        const nck_num share = size * (begins ? of->per : of->way[n]);
+        path->is[n] += share * of->is[n];
+        path->plan[n] += share * of->plan[n];
+        path->per += share * of->per;
+        path->bend += share * of->bend;
+    }
 }
 
 void nck_allow_now(nck_allow_t *range, const nck_stretch_walk_t *walk,
                    const nck_allow_sample_t *samples, nck_num share) {
-    const nck_axis_t *const axis = walk->terms->machine->axis;
-    nck_num square = 0;
+    nck_allow_sample_t path;
     bound_nothing(range, walk->period);
-    for (int x = 0; x < walk->terms->axes; x++) {
-        if (!axis[x].present) continue;
-        bound_sample(range, &samples[x], walk->period, &walk->limit[x], share);
-        square += samples[x].per * samples[x].per;
+    for (int order = 0; order < 2; order++) {
+        for (int x = 0; x < walk->terms->axes; x++) {
+            if (!walk->terms->machine->axis[x].present) continue;
+            bound_sample(range, &samples[x], order, walk->period, &walk->limit[x], share);
+        }
+        if (!walk->terms->limits_path) continue;
+        add_along(&path, samples, walk->terms->axes, order);
+        bound_sample(range, &path, order, walk->period, &walk->limit[NCK_AXIS_MAX], share);
     }
-    if (!walk->terms->limits_path || !(square > 0)) return;
-    const nck_num per = 1 / NCK_NUM_SQRT(square);
-    nck_allow_sample_t path = {0, 0, {0, 0}, 0, 0};
-    for (int x = 0; x < walk->terms->axes; x++) {
-        if (axis[x].present) add_sample(&path, &samples[x], per * samples[x].per);
-    }
-    bound_sample(range, &path, walk->period, &walk->limit[NCK_AXIS_MAX], share);
 }

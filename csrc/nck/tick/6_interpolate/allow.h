@@ -20,11 +20,11 @@ typedef struct nck_allow {
 } nck_allow_t;
 
 // The samples of an axis by k″, from what a period has anyway: jerk + (per + bend·k″)·k″, of
-// acceleration a period's.
+// acceleration a period's. Pairs are of acceleration [mm/s²] and of jerk [mm/s³].
 typedef struct nck_allow_sample {
-    nck_num accel;   // [mm/s²]
-    nck_num jerk;    // [mm/s³]
-    nck_num plan[2]; // what of both the plan asks for at the same rate
+    nck_num is[2];
+    nck_num plan[2]; // what of them the plan asks for at the same rate
+    nck_num way[2];  // from their first place to their last [mm]
     nck_num per, bend;
 } nck_allow_sample_t;
 
