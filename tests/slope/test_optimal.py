@@ -2,7 +2,6 @@
 """The slope `optimal`, by convex optimisation along clocked paths, in the whole kernel: what its
 programs promise, how soon a rest comes, and that it is as fast as its prototype."""
 
-import re
 import sys
 from pathlib import Path
 
@@ -25,7 +24,6 @@ from pycnc.planning.plan import Plan
 CASES = {str(case): case for case in cases.CASES}
 # Of the prototype's time: 0.3 % of every limit is kept.
 NEAR = 1.005
-BY_TICK = 1.15  # of a jerk, where the tick brakes or sets off
 TAKEN = 1.03  # of a limit, by a brake of the tick: a sample of jerk weighs three periods
 # Programs, P [mm], and what the prototype takes for them [s]: v 100 mm/s, a 1000, j 10 000.
 PROTOTYPE = {
@@ -46,27 +44,23 @@ def test_a_program_keeps_its_promises(seed):
     assert clocked.findings(seed) == ""
 
 
-# One in a hundred and fifty passes one, by a tenth, where a clock sets off in a bend while a new
-# plan comes: it must not overtake that.
 @pytest.mark.sample(2)
 @pytest.mark.parametrize("part", range(8))
 def test_whatever_the_operator_does_the_path_keeps_limits_of_its_own(part):
     seeds = range(9 * part, 9 * part + 9, 3)
     found = [clocked.findings(seed, operate=clocked.operated) for seed in seeds]
-    assert sum(words != "" for words in found) <= 1, found
+    assert not any(found), found
 
 
 # An override that came down while a hold stood was answered by one more plan that slows down: a
 # fiftieth of what was left, at a place from which the path goes on. There the tool crept for
 # seconds, went back (21, 96, 101), or took twice its jerk (58). What one such plan had left was too
-# slow to find an end from (219, 244, 459, 501). One in 250 passes a jerk, by 12 % at most, where a
-# clock sets off while the plan brakes.
+# slow to find an end from (219, 244, 459, 501). From a rest, what moves by rounding alone had a
+# direction (861: 2.7 times the path's jerk).
 @pytest.mark.sample(8)
-@pytest.mark.parametrize("seed", [21, 58, 96, 101, 219, 244, 459, 501, *range(150, 219)])
+@pytest.mark.parametrize("seed", [21, 58, 96, 101, 219, 244, 459, 501, 861, *range(150, 219)])
 def test_overrides_that_come_down_around_a_hold_break_nothing(seed):
-    found = clocked.findings(seed, operate=clocked.slowed)
-    jerk = re.search(r"jerk -?([\d.]+).*, limit ([\d.]+)$", found)
-    assert found == "" or (jerk and float(jerk[1]) <= BY_TICK * float(jerk[2])), found
+    assert clocked.findings(seed, operate=clocked.slowed) == ""
 
 
 @pytest.mark.sample(6)

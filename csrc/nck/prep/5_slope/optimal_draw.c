@@ -71,14 +71,14 @@ typedef struct portion {
     double a0, a1; // at its ends [1/s]
 } portion_t;
 
-// It as a cell: the cubic of time that has its length and the speeds at both ends.
+// It as a cell: the cubic of time that has its length and the speeds at both ends. Three places tell
+// little of the time where b all but vanishes: it never goes back, nor is it slower than both ends
+// where it only brakes, or only speeds up.
 static void put_cell(nck_optimal_t *self, const nck_node_t *piece, const portion_t *on, int last) {
     const double knot = self->terms->knot_s;
     const double scale = piece->length / knot;
     const double v0 = scale * nck_sqrt(on->b0);
     const double v1 = scale * nck_sqrt(on->b1);
-    const double time = on->b1 > 0.0 ? time_over(on->b0, on->a0, on->a1, on->h)
-                                     : 2.0 * on->h / nck_sqrt(on->b0);
     nck_cell_t cell;
     memset(&cell, 0, sizeof cell);
     cell.seg = piece->seg;
@@ -91,8 +91,11 @@ static void put_cell(nck_optimal_t *self, const nck_node_t *piece, const portion
     cell.s = piece->length * (on->u / knot); // a half is exact
     cell.length = last ? piece->length - cell.s : scale * on->h;
     cell.v = v0;
-    cell.duration = time;
-    const double per = 1.0 / time;
+    cell.duration = on->b1 > 0.0 ? time_over(on->b0, on->a0, on->a1, on->h)
+                                 : 2.0 * on->h / nck_sqrt(on->b0);
+    const double least = on->a0 * on->a1 < 0.0 ? nck_sqrt(v0 * v1) : -nck_min(v0, v1);
+    cell.duration = nck_min(cell.duration, 3.0 * cell.length / (v0 + v1 - least));
+    const double per = 1.0 / cell.duration;
     const double mean = 6.0 * cell.length * per; // six times the speed
     cell.a = (mean - (4.0 * v0 + 2.0 * v1)) * per;
     cell.j = (6.0 * (v0 + v1) - 2.0 * mean) * per * per;

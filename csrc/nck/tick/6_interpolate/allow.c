@@ -9,6 +9,8 @@
 #define LEAVE_SHARE NCK_NUM_OF(0.005)
 // What one of k″ is to an axis, of its limit [s²]: below it no change of k moves it.
 #define ALONG_LEAST NCK_NUM_OF(1e-6)
+// Of a period along the plan, what a chord counts besides: at rest it has no direction of its own.
+#define REST_SHARE NCK_NUM_OF(1e-3)
 // The most of k″T²: what does not move may be slowed down in 7 periods.
 #define CHANGE_MOST NCK_NUM_OF(0.04)
 
@@ -112,6 +114,7 @@ void nck_allow_look(nck_allow_sample_t *samples, const nck_stretch_walk_t *walk,
                     const nck_allow_pace_t *pace) {
     const nck_stretch_past_t *const past = period->past;
     const nck_num half = NCK_NUM_OF(0.5) * walk->period * walk->period * walk->period;
+    const nck_num rest = REST_SHARE * walk->period;
     const double per = 1.0 / (double)walk->period;
     double axis[NCK_AXIS_MAX];
     nck_stretch_walk_t on = *walk;
@@ -132,8 +135,7 @@ void nck_allow_look(nck_allow_sample_t *samples, const nck_stretch_walk_t *walk,
         of->bend = half * there.second[x];
         of->plan[0] = of->is[0] - at->first[x] * pace->dk;
         of->plan[1] = of->is[1] - 3 * at->second[x] * pace->k * pace->dk;
-        of->way[0] = (nck_num)(axis[x] - was[1][x]);
-        of->way[1] = (nck_num)(axis[x] - was[2][x]);
+        for (int n = 0; n < 2; n++) of->way[n] = (nck_num)(axis[x] - was[n + 1][x]) + rest * of->per;
     }
 }
 
@@ -159,24 +161,18 @@ static void bound_sample(nck_allow_t *range, const nck_allow_sample_t *of, int o
     bound_bent(range, of->is[order], of, order ? 1 : period, most);
 }
 
-// What of the samples lies along the path: along the chord of one, of acceleration (0) or of jerk
-// (1), or where that has no length yet, along the way that the path goes on.
+// What of the samples of acceleration (0) or of jerk (1) lies along the path: along their chord.
 static void add_along(nck_allow_sample_t *path, const nck_allow_sample_t *all, int axes, int n) {
-    nck_num square[2] = {0, 0};
+    nck_num square = 0;
     memset(path, 0, sizeof *path);
+    for (int x = 0; x < axes; x++) square += all[x].way[n] * all[x].way[n];
+    const nck_num size = square > 0 ? 1 / NCK_NUM_SQRT(square) : 0;
     for (int x = 0; x < axes; x++) {
-        square[0] += all[x].way[n] * all[x].way[n];
-        square[1] += all[x].per * all[x].per;
-    }
-    const int begins = !(square[0] > 0);
-    const nck_num size = square[begins] > 0 ? 1 / NCK_NUM_SQRT(square[begins]) : 0;
-    for (int x = 0; x < axes; x++) {
-        const nck_allow_sample_t *const of = &all[x];
-        const nck_num share = size * (begins ? of->per : of->way[n]);
-        path->is[n] += share * of->is[n];
-        path->plan[n] += share * of->plan[n];
-        path->per += share * of->per;
-        path->bend += share * of->bend;
+        const nck_num share = size * all[x].way[n];
+        path->is[n] += share * all[x].is[n];
+        path->plan[n] += share * all[x].plan[n];
+        path->per += share * all[x].per;
+        path->bend += share * all[x].bend;
     }
 }
 

@@ -24,7 +24,7 @@ typedef struct nck_allow {
 typedef struct nck_allow_sample {
     nck_num is[2];
     nck_num plan[2]; // what of them the plan asks for at the same rate
-    nck_num way[2];  // from their first place to their last [mm]
+    nck_num way[2];  // from their first place to their last, at rest as the plan goes [mm]
     nck_num per, bend;
 } nck_allow_sample_t;
 
