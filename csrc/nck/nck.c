@@ -283,8 +283,7 @@ static int is_executed_so_far(const nck_t *nck) {
 // The rings are full of what waits for the tick, and nothing else will make room. So the path is
 // planned to rest where it is known to.
 static int is_stuck(const nck_t *nck, nck_status_t slope, nck_status_t ahead, nck_status_t input) {
-    return slope == NCK_EMPTY && ahead == NCK_EMPTY && input == NCK_FULL
-           && is_executed_so_far(nck);
+    return slope == NCK_EMPTY && ahead == NCK_EMPTY && input == NCK_FULL && is_executed_so_far(nck);
 }
 
 // All rooms begin anew where the axes rest.

@@ -54,8 +54,7 @@ static inline nck_num most_of_three(nck_num f0, nck_num f1, nck_num f2) {
 static void note_most(side_t *side) {
     for (int n = 0; n + 2 < SPOTS; n += 2) {
         for (int k = 0; k < NCK_MOTION_LANES; k++) {
-            const nck_num a =
-                most_of_three(side->a[n][k], side->a[n + 1][k], side->a[n + 2][k]);
+            const nck_num a = most_of_three(side->a[n][k], side->a[n + 1][k], side->a[n + 2][k]);
             side->most[k] = nck_num_max(side->most[k], a);
         }
     }

@@ -9,8 +9,7 @@
 
 // 1 if the axis is one of the two that an arc turns in.
 static inline int nck_path_turns(const nck_seg_t *seg, int x) {
-    return seg->kind == NCK_SEG_ARC
-           && (x == seg->shape.arc.axis_u || x == seg->shape.arc.axis_v);
+    return seg->kind == NCK_SEG_ARC && (x == seg->shape.arc.axis_u || x == seg->shape.arc.axis_v);
 }
 
 // A cubic over f = s/L in 0…1 by its Bernstein points b0 … b3, repeated linear interpolation:

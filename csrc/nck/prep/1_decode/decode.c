@@ -362,8 +362,7 @@ static nck_status_t try_line(nck_decode_t *self, nck_block_t *out) {
 
 // In a session, of a line that is no quick one: tried, then done.
 static nck_status_t pull_session(nck_decode_t *self, nck_block_t *out) {
-    const int waits =
-        self->line.state == NCK_LINE_WAITING || self->line.state == NCK_LINE_PUSHED;
+    const int waits = self->line.state == NCK_LINE_WAITING || self->line.state == NCK_LINE_PUSHED;
     if (waits && self->session.phase == NCK_SESSION_NOT) {
         *self->session.before = *self;
         self->session.phase = NCK_SESSION_TRIES;

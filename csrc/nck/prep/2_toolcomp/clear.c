@@ -37,8 +37,7 @@ static window_t window_about(nck_toolcomp_t *self, uint32_t of, double s) {
         if (entry->s + entry->contour.length < s - near) break;
         window.from--;
     }
-    while (window.until != self->ring.head
-           && nck_comp_at(self, window.until)->s < s + near) {
+    while (window.until != self->ring.head && nck_comp_at(self, window.until)->s < s + near) {
         window.until++;
     }
     return window;

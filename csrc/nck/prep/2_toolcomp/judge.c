@@ -114,8 +114,7 @@ static nck_status_t judge_end(nck_toolcomp_t *self) {
     const double dip = nck_comp_dip(self, nck_comp_turn(self, self->last.tangent,
                                                         self->last.ahead));
     if (!(dip > NCK_COMP_CLOSE)) return NCK_OK;
-    return nck_comp_fail(self, NCK_E_COMP_GOUGE, entry->block.line, dip,
-                         (double)self->last.begins);
+    return nck_comp_fail(self, NCK_E_COMP_GOUGE, entry->block.line, dip, (double)self->last.begins);
 }
 
 // The elements from entry `of` up to `end` of which nothing is on the path. Returns 1 at one that

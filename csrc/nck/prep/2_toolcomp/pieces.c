@@ -82,8 +82,7 @@ void nck_comp_piece(nck_toolcomp_t *self, uint32_t count, nck_comp_part_t part,
     const nck_comp_entry_t *const entry = nck_comp_at(self, count);
     out->of = count;
     out->part = (uint8_t)part;
-    const int upright = entry->crosses
-                        || (entry->enters && self->start > NCK_COMP_START_RS274);
+    const int upright = entry->crosses || (entry->enters && self->start > NCK_COMP_START_RS274);
     if (part == NCK_COMP_ABOUT) about(self, entry, &out->shape);
     else if (upright || entry->leaves) way(self, entry, &out->shape);
     else if (entry->enters) (void)nck_comp_enter(self, &entry->contour, &out->shape);

@@ -230,8 +230,7 @@ static inline void add_block(nck_fair_t *self, int axes, const int at[2], int q,
     const nck_num w1 = pulls->weight[1][p] * pulls->weight[1][q];
     const nck_num w2 = pulls->weight[2][p] * pulls->weight[2][q];
     const nck_num w3 = pulls->weight[3][p] * pulls->weight[3][q];
-    const nck_num jerk =
-        2 * self->task.scale * self->task.scale * difference[p] * difference[q];
+    const nck_num jerk = 2 * self->task.scale * self->task.scale * difference[p] * difference[q];
     int k = 0;
     for (int a = 0; a < axes; a++) {
         nck_num *const row = &self->band[(j * axes + a) * width + (q - p) * axes];

@@ -162,8 +162,7 @@ static nck_num speed_of(nck_timing_t *self, const nck_track_t *track, sight_t *s
 static void add_place(nck_timing_t *self, double s, nck_num v, nck_num wide) {
     if (self->guess.head > 0) {
         const double h = s - nck_timing_place(self, self->guess.head - 1)->s;
-        const nck_num most =
-            nck_timing_reach_speed(self->terms, NCK_TIMING_ASK, self->guess.v, h);
+        const nck_num most = nck_timing_reach_speed(self->terms, NCK_TIMING_ASK, self->guess.v, h);
         self->guess.v = nck_num_min(v, most);
     }
     nck_place_t *const place = nck_timing_place(self, self->guess.head++);

@@ -89,8 +89,7 @@ static void keep_or_forget(nck_decode_t *self, int32_t before) {
     const int32_t code = self->words.code[NCK_STEP_MOTION];
     const unsigned drill = self->lathe ? nck_motion_drill_of_lathe(code)
                                        : nck_plane_axis(self->modal.plane, 2);
-    const int cycled = nck_motion_is_cycle(before) && drills(self, before)
-                       && cycle->drill == drill;
+    const int cycled = nck_motion_is_cycle(before) && drills(self, before) && cycle->drill == drill;
     if (!cycled || (code != before && !nck_is_fanuc(self))) cycle->said = 0;
     if (!cycled) {
         cycle->initial_nm = self->place.position_nm[drill] - self->place.origin_nm[drill];

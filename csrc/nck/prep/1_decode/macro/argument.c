@@ -54,8 +54,7 @@ nck_status_t nck_argument_keep(nck_decode_t *self, const char *at, unsigned plac
     nck_words_t *const words = &self->words;
     const unsigned letter = (unsigned)((*at & ~0x20) - 'A');
     if (place > SET) {
-        const uint64_t key = nck_variable_kept(parameter_of['I' - 'A'] + place - 1,
-                                               is_modal(self));
+        const uint64_t key = nck_variable_kept(parameter_of['I' - 'A'] + place - 1, is_modal(self));
         return nck_variable_add(self, key, nck_number_real(number));
     }
     words->number[letter] = *number;

@@ -161,8 +161,7 @@ static nck_status_t seek_split(nck_decode_t *self, uint64_t key) {
 }
 
 static int splits(const nck_decode_t *self, nck_seek_kind_t kind, uint64_t key) {
-    return kind == NCK_SEEK_PROGRAM && nck_is_fanuc(self) && key >= PROGRAMS
-           && key % PROGRAMS != 0;
+    return kind == NCK_SEEK_PROGRAM && nck_is_fanuc(self) && key >= PROGRAMS && key % PROGRAMS != 0;
 }
 
 nck_status_t nck_seek_called(nck_decode_t *self, nck_seek_kind_t kind, uint64_t key) {

@@ -188,8 +188,7 @@ nck_status_t nck_decode_dwell_word(nck_decode_t *self, char letter, double *dwel
     const double word = counts ? nck_word_real(self, letter) : nck_decode_real_word(self, letter);
     const double dwell_s = counts && millisecond ? word / 1000.0 : word;
     if (!(word >= 0.0 && dwell_s <= dwell_max_s)) {
-        const double unit = counts ? (millisecond ? 1000.0 : 1.0)
-                                   : nck_decode_counts(self, letter);
+        const double unit = counts ? (millisecond ? 1000.0 : 1.0) : nck_decode_counts(self, letter);
         return nck_decode_fail_range(self, letter, dwell_max_s * unit);
     }
     *dwell_out = dwell_s;

@@ -167,8 +167,7 @@ static nck_status_t read_centre(nck_decode_t *self, course_t *course) {
 static int radii_agree(const nck_decode_t *self, double start, double end) {
     const double tolerance = self->machine->path.arc_radius;
     const double miss = nck_fabs(start - end);
-    return miss <= tolerance
-           || (miss <= 100.0 * tolerance && miss <= 0.001 * nck_max(start, end));
+    return miss <= tolerance || (miss <= 100.0 * tolerance && miss <= 0.001 * nck_max(start, end));
 }
 
 static nck_status_t check_radii(nck_decode_t *self, const course_t *course) {

@@ -165,8 +165,7 @@ static int is_sign_good(const nck_corner_t *corner, const nck_edge_t *edges) {
     const double *const way = edges[1].way;
     const int along = nck_fabs(way[0]) <= nck_fabs(way[1]); // G18: 0 Z, 1 X
     const int lines = !(edges[0].radius > 0.0) && !(edges[1].radius > 0.0);
-    const int square = !(nck_fabs(way[1 - along]) > 0.0)
-                       && !(nck_fabs(edges[0].way[along]) > 0.0);
+    const int square = !(nck_fabs(way[1 - along]) > 0.0) && !(nck_fabs(edges[0].way[along]) > 0.0);
     const int axis = (corner->letter != 'I' || along) && (corner->letter != 'K' || !along);
     return lines && square && axis && corner->size * way[along] > 0.0;
 }
@@ -338,8 +337,7 @@ nck_status_t nck_corner_words(nck_decode_t *self) {
 static nck_status_t measure(nck_decode_t *self) {
     nck_corner_t *const corner = &self->held.corner;
     int64_t size_nm = 0;
-    const int whole = nck_decode_fixed(self, &corner->word.number, &self->place.scale[0],
-                                       &size_nm);
+    const int whole = nck_decode_fixed(self, &corner->word.number, &self->place.scale[0], &size_nm);
     if (!whole || !nck_within(nck_fabs(nck_mm_of(size_nm)), size_least, size_most)) {
         return nck_decode_fail(self, NCK_E_NUMBER_RANGE, corner->column, corner->letter,
                                corner->size,

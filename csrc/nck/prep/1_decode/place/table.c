@@ -13,8 +13,7 @@ enum { FIELD_X, FIELD_Y, FIELD_Z, FIELD_RADIUS, FIELD_NOSE, FIELD_WEAR, FIELD_RA
 
 enum { L_ENTRY = 1, L_HERE = 10, L_FIXTURE = 11, L_RADIUS = 12, L_RADIUS_WEAR = 13 };
 
-static double changed(const nck_decode_t *self, uint32_t number, unsigned field,
-                      double otherwise) {
+static double changed(const nck_decode_t *self, uint32_t number, unsigned field, double otherwise) {
     const double *const value = nck_variable_find(self, nck_variable_tool(number, field));
     return value != NULL ? *value : otherwise;
 }
