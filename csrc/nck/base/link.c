@@ -6,7 +6,7 @@
 #include <stddef.h> // offsetof
 #include <string.h> // memset
 
-#include "nck/base/real.h"      // nck_max
+#include "nck/base/real.h"      // NCK_APART nck_max
 
 enum {
     ENTERED = NCK_LINK_ENTERED, PARITY = NCK_LINK_PARITY, HAS_TAIL = 4,
@@ -119,7 +119,9 @@ void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell) {
     nck_link_tail_placed(self, room);
 }
 
-nck_link_spare_t *nck_link_spare(nck_link_t *self) { return &self->tail[next_parity(self)].spare; }
+NCK_APART nck_link_spare_t *nck_link_spare(nck_link_t *self) {
+    return &self->tail[next_parity(self)].spare;
+}
 
 nck_status_t nck_link_publish(nck_link_t *self) {
     const uint32_t parity = next_parity(self);
@@ -285,7 +287,7 @@ void nck_link_tail_rest(nck_link_t *self) {
     nck_fence_store(&self->tail_rested, end + 1);
 }
 
-const nck_seg_t *nck_link_seg(const nck_link_t *self, uint32_t seq) {
+NCK_APART const nck_seg_t *nck_link_seg(const nck_link_t *self, uint32_t seq) {
     return &self->seg[seq & (NCK_SEG_MAX - 1)];
 }
 

@@ -67,6 +67,12 @@ typedef int64_t nck_int64;
 #else
 #define NCK_APART
 #endif
+// The same of a small one, which every other compiler takes for shorter in its place.
+#if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
+#define NCK_ONCE NCK_APART __attribute__((unused))
+#else
+#define NCK_ONCE inline
+#endif
 
 // A whole number as a real one. A processor with doubles in hardware has no instruction for it:
 // each half is exact, so their sum rounds as the whole would, and no soft double is linked.
@@ -88,7 +94,7 @@ static inline int64_t nck_nm_of(double mm) { return nck_rounded(mm * 1e6); }
 static inline double nck_mm_of(int64_t nm) { return nck_real_of(nm) / 1e6; }
 
 // Is a value in a range? NaN is in none.
-static inline int nck_within(double value, double low, double high) {
+static NCK_ONCE int nck_within(double value, double low, double high) {
     return value >= low && value <= high;
 }
 

@@ -4,7 +4,7 @@
 
 #include "nck/base/real.h" // NCK_APART nck_real_of
 
-nck_comp_entry_t *nck_comp_at(nck_toolcomp_t *self, uint32_t count) {
+NCK_APART nck_comp_entry_t *nck_comp_at(nck_toolcomp_t *self, uint32_t count) {
     return &self->ring.at[count & (NCK_COMP_ROWS - 1)];
 }
 

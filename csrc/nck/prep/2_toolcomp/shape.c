@@ -5,7 +5,7 @@
 #include <string.h> // memcpy memset
 
 #include "nck/base/arc_math.h" // nck_arc_inner nck_arc_norm NCK_PI …
-#include "nck/base/real.h"     // nck_sqrt nck_fabs nck_min nck_floor
+#include "nck/base/real.h"     // NCK_APART nck_sqrt nck_fabs nck_min nck_floor
 
 #define ROUNDING 1e-6  // [mm] a place so little before the beginning, or behind the end, is on it
 #define PARALLEL 1e-12 // sine of the angle between lines that do not cross
@@ -17,7 +17,7 @@ static double way(const double *from, const double *to, double *out) {
     return nck_arc_norm(out[0], out[1]);
 }
 
-double nck_shape_turn(const nck_shape_t *self) { return self->sweep < 0.0 ? -1.0 : 1.0; }
+NCK_APART double nck_shape_turn(const nck_shape_t *self) { return self->sweep < 0.0 ? -1.0 : 1.0; }
 
 void nck_shape_line(const double *p, const double *q, nck_shape_t *out) {
     double along[2];

@@ -6,7 +6,7 @@
 
 #include "nck/base/arc_math.h" // nck_plane_axis
 #include "nck/base/path.h" // nck_path_part nck_path_tangent_part
-#include "nck/base/real.h" // nck_fabs nck_max nck_min nck_sqrt
+#include "nck/base/real.h" // NCK_APART nck_fabs nck_max nck_min nck_sqrt
 #include "nck/base/spin_math.h" // nck_spin_…
 
 // What joining may cost of P. More than the least is taken as the ring fills alone: where chords
@@ -27,7 +27,7 @@ void nck_track_begin(nck_track_t *self, int axes, double knot_s, double spin_a) 
     self->words.lacks = 0;
 }
 
-static nck_track_element_t *newest(nck_track_t *self) {
+static NCK_APART nck_track_element_t *newest(nck_track_t *self) {
     return &self->at[(self->head - 1) & (NCK_TRACK_SPAN - 1)];
 }
 

@@ -7,7 +7,7 @@
 #include <stdint.h> // uint32_t
 
 #include "nck/base/limits.h"  // NCK_AXIS_MAX NCK_CLOCKED_…
-#include "nck/base/real.h"    // nck_num
+#include "nck/base/real.h"    // NCK_ONCE nck_num
 #include "nck/base/records.h" // nck_seg_t
 #include "nck/base/status.h"  // nck_status_t
 
@@ -100,7 +100,7 @@ static inline int nck_track_is_full(const nck_track_t *self) {
 }
 
 // The element with this count. Cost: constant. Context: prep.
-static inline const nck_track_element_t *nck_track_at(const nck_track_t *self, uint32_t count) {
+static NCK_ONCE const nck_track_element_t *nck_track_at(const nck_track_t *self, uint32_t count) {
     return &self->at[count & (NCK_TRACK_SPAN - 1)];
 }
 

@@ -3,6 +3,7 @@
 #ifndef NCK_PREP_OPTIMAL_PACE_H
 #define NCK_PREP_OPTIMAL_PACE_H
 
+#include "nck/base/real.h"            // NCK_ONCE
 #include "nck/prep/5_slope/optimal.h" // nck_optimal_t
 
 // Sizes.
@@ -23,7 +24,7 @@ enum {
 static inline nck_optimal_pace_t *nck_optimal_now(nck_optimal_t *self) {
     return &self->pace[self->drawn];
 }
-static inline nck_optimal_pace_t *nck_optimal_work(nck_optimal_t *self) {
+static NCK_ONCE nck_optimal_pace_t *nck_optimal_work(nck_optimal_t *self) {
     return &self->pace[1 - self->drawn];
 }
 

@@ -5,7 +5,7 @@
 
 #include "nck/base/budget.h"  // NCK_OVERRIDE_TOP
 #include "nck/base/link.h"    // nck_link_t
-#include "nck/base/real.h"    // nck_min
+#include "nck/base/real.h"    // NCK_ONCE nck_min
 #include "nck/base/records.h" // nck_node_t nck_cell_t
 
 // Room 4's window of pieces as this room sees it. Pieces have running numbers.
@@ -80,7 +80,7 @@ typedef struct nck_job {
 
 // Room 4's piece of a running number that is there; else it must not be asked for anything.
 // Cost: constant.
-static inline nck_node_t *nck_plan_there(const nck_pieces_t *pieces, uint32_t number) {
+static NCK_ONCE nck_node_t *nck_plan_there(const nck_pieces_t *pieces, uint32_t number) {
     return &pieces->at[number & (NCK_NODE_MAX - 1)];
 }
 

@@ -4,7 +4,7 @@
 
 #include <assert.h> // assert
 
-#include "nck/base/real.h"                // nck_min nck_max
+#include "nck/base/real.h"                // NCK_APART nck_min nck_max
 #include "nck/base/scurve_math.h"         // nck_scurve_length
 #include "nck/prep/5_slope/ladder_math.h" // nck_ladder_…
 
@@ -25,7 +25,7 @@ enum { BLOCK_END = 1, MUST_REST = 2 };
 // While the ladder is coarse no cell's duration is capped in rule R [s].
 #define UNCAPPED_S 1e6
 
-double nck_window_q_cap(const nck_jerk_t *self) {
+NCK_APART double nck_window_q_cap(const nck_jerk_t *self) {
     return self->work.coarse ? UNCAPPED_S : self->q_cap;
 }
 

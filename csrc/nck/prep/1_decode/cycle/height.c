@@ -4,7 +4,7 @@
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail_missing nck_decode_fail_word
 #include "nck/prep/1_decode/number/number.h" // nck_decode_as_word nck_decode_travel …
 #include "nck/prep/1_decode/tongue/tongue.h" // nck_lathe_is_a
-#include "nck/base/real.h" // nck_real_of
+#include "nck/base/real.h" // NCK_APART nck_real_of
 
 nck_status_t nck_cycle_missing(nck_decode_t *self, int letter) {
     self->modal.motion = NCK_MOTION_REFUSED;
@@ -45,7 +45,7 @@ static nck_status_t read_heights(nck_decode_t *self) {
 }
 
 // Whether it is G87 of mills, which cuts from R up to the depth.
-static int cuts_up(const nck_decode_t *self) {
+static NCK_APART int cuts_up(const nck_decode_t *self) {
     return self->modal.motion == NCK_MOTION_BORE_BACK && !self->lathe;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Blocks with all that is modal: what every one of them has, and those that hand something over.
 #include "nck/prep/1_decode/state/state.h"
-#include "nck/base/real.h" // nck_mm_of
+#include "nck/base/real.h" // NCK_APART nck_mm_of
 
 #include <stddef.h> // NULL
 #include <string.h> // memcpy memset
@@ -82,7 +82,8 @@ nck_status_t nck_decode_give_m(const nck_decode_t *self, double code, nck_block_
     return nck_decode_give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_M, code, out);
 }
 
-nck_status_t nck_decode_give_dwell(const nck_decode_t *self, double dwell_s, nck_block_t *out) {
+NCK_APART nck_status_t nck_decode_give_dwell(const nck_decode_t *self, double dwell_s,
+                                             nck_block_t *out) {
     nck_decode_block(self, NCK_BLOCK_DWELL, out);
     out->dwell_s = dwell_s;
     return NCK_OK;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What is left: of a line when a block of it has been given, of a spline that is not ended.
 #include "nck/prep/1_decode/state/state.h"
+#include "nck/base/real.h" // NCK_APART
 
-void nck_decode_leave(nck_decode_t *self, nck_rest_t rest) {
+NCK_APART void nck_decode_leave(nck_decode_t *self, nck_rest_t rest) {
     self->words.rest = (uint8_t)rest;
     self->words.steps |= NCK_STEP(NCK_STEP_REST);
 }
@@ -16,7 +17,7 @@ int nck_spline_waits(const nck_decode_t *self) {
     return NCK_HAS_CONTOUR && self->held.spline.points != 0 && !self->held.spline.works;
 }
 
-nck_status_t nck_spline_refuses(nck_decode_t *self, nck_step_t step) {
+NCK_APART nck_status_t nck_spline_refuses(nck_decode_t *self, nck_step_t step) {
     if (!NCK_HAS_CONTOUR) return NCK_OK;
     const int32_t code = self->words.code[step];
     const int said = (self->words.codes & NCK_STEP(NCK_STEP_MOTION)) != 0;
