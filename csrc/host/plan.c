@@ -190,7 +190,7 @@ static void take_seg(nck_host_plan_t *plan, const nck_host_batch_seg_t *row) {
     seg->line = row->why.line;
     seg->block = row->block;
     seg->rapid = row->rapid;
-    nck_link_seg_placed(link);
+    nck_link_seg_placed(link, seg);
     nck_host_why_seg_t *const why = nck_host_why_at(&plan->why, row->seq);
     *why = row->why;
     why->line = seg->line;

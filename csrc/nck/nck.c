@@ -7,7 +7,7 @@
 #include <stddef.h> // offsetof
 #include <string.h> // memset
 
-#include "nck/base/real.h" // nck_rounded
+#include "nck/base/real.h" // NCK_APART nck_rounded
 
 enum {
     PPM = 1000000, FEED_MOST = 2, // overrides
@@ -54,8 +54,8 @@ static nck_status_t finish_flush(nck_t *nck) {
 }
 
 // seg ring ─▶ lookahead: a seg that is in its place.
-static inline nck_status_t push_seg(nck_t *nck, const nck_seg_t *seg) {
-    nck_link_seg_placed(&nck->link);
+static inline nck_status_t push_seg(nck_t *nck, nck_seg_t *seg) {
+    nck_link_seg_placed(&nck->link, seg);
     if (nck_lookahead_push(&nck->lookahead, seg) != NCK_OK) return NCK_E_INTERNAL;
     if (nck->hooks.on_seg) nck->hooks.on_seg(nck->hooks.user, seg);
     return NCK_OK;
@@ -371,7 +371,7 @@ nck_status_t nck_prep(nck_t *nck) {
     return status;
 }
 
-static void hand_over_outputs(nck_t *nck) {
+static NCK_APART void hand_over_outputs(nck_t *nck) {
     nck_output_t output;
     while (nck_link_take_output(&nck->link, &output) == NCK_OK) {
         if (nck->hooks.on_output) nck->hooks.on_output(nck->hooks.user, &output);

@@ -57,8 +57,9 @@ void nck_link_push_mark(nck_link_t *self, const nck_mark_t *mark) {
 
 nck_status_t nck_link_push_seg(nck_link_t *self, const nck_seg_t *seg) {
     if (self->seg_head - nck_fence_load(&self->seg_done) >= NCK_SEG_MAX) return NCK_FULL;
-    *nck_link_seg_place(self) = *seg;
-    nck_link_seg_placed(self);
+    nck_seg_t *const place = nck_link_seg_place(self);
+    *place = *seg;
+    nck_link_seg_placed(self, place);
     return NCK_OK;
 }
 
@@ -82,16 +83,11 @@ void nck_link_break(nck_link_t *self, const nck_cell_t *cell) {
     self->broken_line = nck_link_seg(self, cell->seg)->line;
 }
 
-// There is room, and the cell has been inspected.
-static void append(nck_link_t *self, const nck_cell_t *cell) {
-    self->cell[(end_of(self->base) + self->batch) & (NCK_CELL_MAX - 1)] = *cell;
-    self->batch++;
-}
-
 void nck_link_push_cell(nck_link_t *self, const nck_cell_t *cell) {
     assert(nck_link_cell_room(self) > 0);
     nck_link_inspect(self, cell);
-    append(self, cell);
+    self->cell[(end_of(self->base) + self->batch) & (NCK_CELL_MAX - 1)] = *cell;
+    self->batch++;
 }
 
 // The tail in use belongs to the other parity, so this one is prep's alone.
@@ -141,11 +137,12 @@ nck_status_t nck_link_publish(nck_link_t *self) {
 // only to places that were free before: what stood there is counted.
 static double lead_of(nck_link_t *self) {
     const uint32_t taken = nck_fence_load(&self->taken);
-    while (self->lead_seen != taken) {
-        self->lead_s -= self->cell[self->lead_seen & (NCK_CELL_MAX - 1)].duration;
-        self->lead_seen = (self->lead_seen + 1) & END_MASK;
+    double lead_s = self->lead_s;
+    for (uint32_t seen = self->lead_seen; seen != taken; seen = (seen + 1) & END_MASK) {
+        lead_s -= self->cell[seen & (NCK_CELL_MAX - 1)].duration;
     }
-    if (taken == end_of(nck_fence_load(&self->word))) self->lead_s = 0.0;
+    self->lead_seen = taken;
+    self->lead_s = taken == end_of(nck_fence_load(&self->word)) ? 0.0 : lead_s;
     return self->lead_s;
 }
 
@@ -156,14 +153,16 @@ static uint32_t copy_ahead(nck_link_t *self, uint32_t parity, uint32_t first, ui
     const uint32_t left = self->tail_count[parity] - first;
     const uint32_t fits = room < left ? room : left;
     const uint32_t limit = fits < most ? fits : most;
-    const nck_cell_t *cell = &self->tail[parity].cell[first];
+    const nck_cell_t *const cell = &self->tail[parity].cell[first];
+    const uint32_t begin = end_of(self->base) + self->batch;
+    double lead_s = self->lead_s;
     uint32_t count = 0;
-    while (count < limit && self->lead_s < lead) {
-        self->lead_s += cell->duration;
-        append(self, cell);
-        cell++;
-        count++;
+    for (; count < limit && lead_s < lead; count++) {
+        lead_s += cell[count].duration;
+        self->cell[(begin + count) & (NCK_CELL_MAX - 1)] = cell[count];
     }
+    self->lead_s = lead_s;
+    self->batch += count;
     return count;
 }
 

@@ -115,8 +115,8 @@ nck_status_t nck_link_push_seg(nck_link_t *self, const nck_seg_t *seg);
 static inline nck_seg_t *nck_link_seg_place(nck_link_t *self) {
     return &self->seg[self->seg_head & (NCK_SEG_MAX - 1)];
 }
-static inline void nck_link_seg_placed(nck_link_t *self) {
-    if (NCK_HAS_MARKS) nck_marks_tell(&self->marks, nck_link_seg_place(self));
+static inline void nck_link_seg_placed(nck_link_t *self, nck_seg_t *seg) {
+    if (NCK_HAS_MARKS) nck_marks_tell(&self->marks, seg);
     nck_fence_store(&self->seg_head, self->seg_head + 1);
 }
 

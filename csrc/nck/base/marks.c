@@ -23,14 +23,16 @@ static uint32_t modes_near(const nck_marks_t *self) {
 }
 
 void nck_marks_tell(nck_marks_t *self, nck_seg_t *seg) {
-    const double end = seg->s_begin + seg->length;
-    const double begin = seg->s_begin + least(seg->s_begin);
     uint32_t last = 0;
-    while (self->tail != self->head && self->at[place_of(self->tail)].s <= begin) self->tail++;
+    while (self->tail != self->head
+           && self->at[place_of(self->tail)].s <= seg->s_begin + least(seg->s_begin)) {
+        self->tail++;
+    }
     seg->marks.from = self->tail;
     seg->marks.count = 0;
     if (seg->modes == 0) seg->modes = modes_near(self);
     if (self->tail == self->head || !(seg->length > 0.0)) return;
+    const double end = seg->s_begin + seg->length;
     seg->line = self->at[place_of(self->tail)].line;
     seg->modes = self->at[place_of(self->tail)].modes;
     last = self->tail;
