@@ -4,7 +4,7 @@
 
 #include <assert.h> // assert
 #include <stddef.h> // offsetof
-#include <string.h> // memcpy memset
+#include <string.h> // memset
 
 #include "nck/base/budget.h"               // NCK_UNLIMITED
 #include "nck/prep/4_lookahead/corner.h"   // nck_corner_…
@@ -36,15 +36,14 @@ nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg) {
     if (!nck_lookahead_has_room(self)) return NCK_FULL;
     self->ended = 0;
     nck_junction_t *const junction = nck_junction_at(self, self->junction.head);
-    double *const tangent = self->junction.tangent;
+    const double *const tangent = self->junction.tangent[(self->junction.head - 1) & 1u];
+    double *const end = self->junction.tangent[self->junction.head & 1u];
     const int axes = self->terms->axes;
-    double end[NCK_AXIS_MAX] = {0};
     double bent[NCK_AXIS_MAX];
     const double *const start = nck_junction_tangents(seg, axes, bent, end);
     nck_junction_make(junction, seg, start, end, self->terms);
     nck_junction_t *const before = nck_junction_at(self, self->junction.head - 1);
     if (self->junction.head > 0) nck_corner_meet(before, junction, tangent, start, self->terms);
-    memcpy(tangent, end, sizeof end);
     self->junction.head++;
     if (self->terms->limits_jerk) {
         nck_near_set_out(junction, nck_near_entered_at(self, self->junction.head - 1));

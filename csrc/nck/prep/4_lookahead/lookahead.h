@@ -101,7 +101,7 @@ typedef struct nck_lookahead {
         uint32_t known;   // head when the next junction could not be decided for want of segs
         uint32_t dense;   // from this one on all settled segs are of a dense row (zone.h)
         uint32_t tried;   // settled + decided when the next seg was to be placed in vain
-        double tangent[NCK_AXIS_MAX]; // at the end of the last seg
+        double tangent[2][NCK_AXIS_MAX]; // at the end of the last two segs, of count mod 2
         nck_junction_t at[NCK_JUNCTION_MAX];
     } junction;
 

@@ -36,16 +36,12 @@ static void begin_around(const nck_lookahead_t *self, around_t *around) {
     for (int k = 0; k < NCK_PACES; k++) around->near[k] = NOTHING_NEAR;
 }
 
-// What another side's junctions take on top.
-static inline void add_shares(around_t *around, const around_t *other) {
+// What another side's neighbourhood takes on top.
+static inline void add_around(const nck_lookahead_t *self, around_t *around,
+                              const around_t *other) {
     for (int k = 0; k < NCK_PACES; k++) {
         around->share[k] = nck_max(around->share[k], other->share[k]);
     }
-}
-
-// What another side's neighbourhood takes on top.
-static void add_around(const nck_lookahead_t *self, around_t *around, const around_t *other) {
-    add_shares(around, other);
     if (!self->terms->limits_jerk) return;
     for (int k = 0; k < NCK_PACES; k++) {
         nck_near_t *const near = &around->near[k];
@@ -300,8 +296,7 @@ typedef struct cutting {
 // All of a seg in one piece, under what both of its sides leave.
 static inline void keep_whole(const nck_lookahead_t *self, const nck_junction_t *junction,
                               around_t ends[2], cutting_t *cutting) {
-    if (self->terms->limits_jerk) add_around(self, &ends[0], &ends[1]);
-    else add_shares(&ends[0], &ends[1]);
+    add_around(self, &ends[0], &ends[1]);
     cutting->under[0] = &ends[0];
     cutting->s[1] = junction->length;
     cutting->count = 1;

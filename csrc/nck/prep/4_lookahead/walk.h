@@ -81,15 +81,15 @@ static inline void nck_walk_begin(nck_lookahead_t *self, nck_walk_t *walk, uint3
 // NCK_EMPTY: not known yet. Cost: constant.
 static inline nck_status_t nck_walk_next(nck_lookahead_t *self, nck_walk_t *walk, double reach,
                                          const nck_junction_t **junction_out, double *x_out) {
-    const int forth = walk->ahead.x <= walk->behind.x;
-    const nck_side_t *const side = forth ? &walk->ahead : &walk->behind;
-    if (side->x >= reach) return NCK_DONE;
-    if (forth && nck_walk_is_unknown(self, walk)) return NCK_EMPTY;
-    *junction_out = nck_junction_at(self, side->at);
-    *x_out = side->x;
-    if (forth) {
+    if (nck_min(walk->behind.x, walk->ahead.x) >= reach) return NCK_DONE;
+    if (walk->ahead.x <= walk->behind.x) {
+        if (nck_walk_is_unknown(self, walk)) return NCK_EMPTY;
+        *junction_out = nck_junction_at(self, walk->ahead.at);
+        *x_out = walk->ahead.x;
         nck_walk_ahead(self, walk);
     } else {
+        *junction_out = nck_junction_at(self, walk->behind.at);
+        *x_out = walk->behind.x;
         nck_walk_behind(self, walk);
     }
     return NCK_OK;

@@ -7,6 +7,7 @@
 // A junction is alone if the segs around it are longer than so many of its zones: then what happens
 // between junctions takes longer than what happens at them.
 #define ZONES_APART 16.0
+
 double nck_zone_s(const nck_terms_t *terms) { return terms->machine->period_s + terms->mix_s; }
 
 int nck_zone_is_alone(const nck_junction_t *in, const nck_junction_t *out, double load,
@@ -16,11 +17,4 @@ int nck_zone_is_alone(const nck_junction_t *in, const nck_junction_t *out, doubl
         nck_corner_speed_alone(NCK_CORNER_SHARE_DENSE, load, terms->machine->period_s);
     const double zone = (v + 0.5 * nck_max(in->a_most, out->a_most) * time) * time;
     return nck_min(in->length, out->length) > ZONES_APART * zone;
-}
-
-void nck_zone_cut_off(nck_zone_reach_t *reach, const nck_lookahead_t *self, double share) {
-    for (int k = 0; k < NCK_PACES; k++) {
-        const int is_short = reach->time[k] < self->zone_s && !self->terms->limits_jerk;
-        if (is_short) reach->share[k] = nck_max(reach->share[k], share);
-    }
 }

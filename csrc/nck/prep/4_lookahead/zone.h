@@ -64,7 +64,13 @@ static inline int nck_zone_pass(nck_zone_reach_t *reach, const nck_junction_t *j
 // The walk ends at NCK_CORNER_SPAN neighbours, short of the zone's end. Under a jerk limit the seg
 // is slowed until it does not (near.h); else share is assumed, the largest that may be further on.
 // Cost: constant.
-void nck_zone_cut_off(nck_zone_reach_t *reach, const nck_lookahead_t *self, double share);
+static inline void nck_zone_cut_off(nck_zone_reach_t *reach, const nck_lookahead_t *self,
+                                    double share) {
+    for (int k = 0; k < NCK_PACES; k++) {
+        const int is_short = reach->time[k] < self->zone_s && !self->terms->limits_jerk;
+        if (is_short) reach->share[k] = nck_max(reach->share[k], share);
+    }
+}
 
 // 1 if NCK_CORNER_SPAN segs from this one on take so little time that a walk along them is cut off.
 // Without a jerk limit it need not be made: what is assumed then is no less than what it meets, for
