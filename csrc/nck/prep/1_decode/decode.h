@@ -114,10 +114,6 @@ void nck_decode_drop(nck_decode_t *self);
 // constant. Context: prep.
 uint32_t nck_decode_modes(const nck_decode_t *self);
 
-// The same behind a quick line, where the word before is known: it changes the motion alone. Cost:
-// constant. Context: prep.
-uint32_t nck_decode_moves(const nck_decode_t *self, uint32_t modes);
-
 // Say that the text is complete: a last line without line feed counts, and the program ends there
 // if it has not. Cost: constant. Context: prep.
 void nck_decode_end(nck_decode_t *self);

@@ -93,12 +93,6 @@ void nck_decode_drop(nck_decode_t *self) {
     self->text.quick = 0;
 }
 
-// What lines that only move may change. Where there is no motion it is below 0.
-static inline uint32_t moves_of(const nck_decode_t *self) {
-    return ((uint32_t)self->modal.motion & NCK_FORCE_MOTION_MASK)
-           | (uint32_t)self->modal.incremental << NCK_FORCE_INCREMENTAL;
-}
-
 uint32_t nck_decode_modes(const nck_decode_t *self) {
     const nck_modes_t *const modal = &self->modal;
     uint32_t modes = 1u << NCK_FORCE_KNOWN | self->place.work_system << NCK_FORCE_SYSTEM;
@@ -110,10 +104,5 @@ uint32_t nck_decode_modes(const nck_decode_t *self) {
     modes |= (uint32_t)modal->inch << NCK_FORCE_INCH;
     modes |= (uint32_t)modal->diameter << NCK_FORCE_DIAMETER;
     modes |= (uint32_t)modal->spindle_on << NCK_FORCE_SPINDLE_ON;
-    return modes | moves_of(self);
-}
-
-uint32_t nck_decode_moves(const nck_decode_t *self, uint32_t modes) {
-    const uint32_t moves = NCK_FORCE_MOTION_MASK | 1u << NCK_FORCE_INCREMENTAL;
-    return (modes & ~moves) | moves_of(self);
+    return nck_decode_moves(self, modes);
 }

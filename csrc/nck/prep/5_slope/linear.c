@@ -30,7 +30,7 @@ void nck_linear_init(nck_linear_t *self, const nck_machine_t *machine, nck_link_
 
 // ---- what a piece allows under the wishes
 
-static double cap_inside(const nck_linear_t *self, const nck_node_t *piece) {
+static inline double cap_inside(const nck_linear_t *self, const nck_node_t *piece) {
     if (self->is_plain) return piece->vv_piece;
     return nck_plan_cap(piece, &self->job.wish, self->next->over);
 }

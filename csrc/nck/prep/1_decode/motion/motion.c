@@ -68,11 +68,6 @@ static void arrive(nck_decode_t *self, const int64_t *target_nm) {
     memcpy(self->place.position_nm, target_nm, sizeof self->place.position_nm);
 }
 
-// A printer's G0 is its G1: F holds for it, too, where a control's own planner asks for it.
-int nck_decode_has_feed(const nck_decode_t *self, uint8_t kind) {
-    return kind == NCK_BLOCK_LINE || self->tongue == NCK_TONGUE_MARLIN;
-}
-
 nck_status_t nck_decode_straight(nck_decode_t *self, nck_block_kind_t kind,
                                  const int64_t *target_nm, nck_block_t *out) {
     double feed = 0.0;

@@ -18,8 +18,11 @@ nck_status_t nck_decode_second(nck_decode_t *self, nck_block_t *out);
 // standstill; NCK_EMPTY: the same, and known. Cost: constant.
 nck_status_t nck_decode_cutting_feed(nck_decode_t *self, int rotary_alone, double *feed_out);
 
-// Whether a straight move of a kind has the F in force. Cost: constant.
-int nck_decode_has_feed(const nck_decode_t *self, uint8_t kind);
+// Whether a straight move of a kind has the F in force: a printer's G0 is its G1, and F holds for
+// it, too, where a control's own planner asks for it. Cost: constant.
+static inline int nck_decode_has_feed(const nck_decode_t *self, uint8_t kind) {
+    return kind == NCK_BLOCK_LINE || self->tongue == NCK_TONGUE_MARLIN;
+}
 
 // A cycle is not for inverse time, nor for radius compensation. NCK_E_UNSUPPORTED, NCK_E_COMP_ON.
 // Cost: constant.

@@ -3,9 +3,10 @@
 #ifndef NCK_PREP_DECODE_STATE_ROOM_H
 #define NCK_PREP_DECODE_STATE_ROOM_H
 
-#include "nck/base/machine.h" // nck_machine_t
-#include "nck/base/records.h" // nck_block_t
-#include "nck/base/status.h"  // nck_status_t nck_diagnostic_t
+#include "nck/base/in_force.h" // NCK_FORCE_…
+#include "nck/base/machine.h"  // nck_machine_t
+#include "nck/base/records.h"  // nck_block_t
+#include "nck/base/status.h"   // nck_status_t nck_diagnostic_t
 #include "nck/prep/1_decode/state/block_in.h" // nck_block_in_t
 #include "nck/prep/1_decode/state/contour.h" // nck_contour_t nck_rough_t
 #include "nck/prep/1_decode/state/corner.h" // nck_corner_t
@@ -192,5 +193,13 @@ typedef struct nck_decode {
 // A step does one thing of a block. It returns NCK_OK if it filled a block, NCK_EMPTY if it had
 // none to give, or the error that nck_decode_fail has noted. Context: prep.
 typedef nck_status_t (*nck_step_function_t)(nck_decode_t *self, nck_block_t *out);
+
+// The modes in force (nck_decode_modes) behind a quick line, where the word before is known: it
+// changes the motion alone, which is below 0 where there is none. Cost: constant. Context: prep.
+static inline uint32_t nck_decode_moves(const nck_decode_t *self, uint32_t modes) {
+    const uint32_t of_moves = NCK_FORCE_MOTION_MASK | 1u << NCK_FORCE_INCREMENTAL;
+    return (modes & ~of_moves) | ((uint32_t)self->modal.motion & NCK_FORCE_MOTION_MASK)
+           | (uint32_t)self->modal.incremental << NCK_FORCE_INCREMENTAL;
+}
 
 #endif
