@@ -192,8 +192,7 @@ nck_motion_hold_t nck_motion_hold(const nck_motion_t *self, int k) {
     if (self->limited > self->moving) {
         add_share(most, nck_motion_along(&dots), self->ratio[NCK_MOTION_ALONG], &passing);
     }
-    if (most[NCK_MOTION_CAP] >= nck_num_max(most[NCK_MOTION_ACCELERATION],
-                                               most[NCK_MOTION_JERK])) {
+    if (most[NCK_MOTION_CAP] >= nck_num_max(most[NCK_MOTION_ACCELERATION], most[NCK_MOTION_JERK])) {
         return NCK_MOTION_CAP;
     }
     return most[NCK_MOTION_ACCELERATION] >= most[NCK_MOTION_JERK] ? NCK_MOTION_ACCELERATION

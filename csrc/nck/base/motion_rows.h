@@ -55,8 +55,7 @@ void nck_motion_path(const nck_motion_t *self, int chunk, int axis, int kind,
                      nck_motion_path_t *path_out);
 
 // Add what the rows of a place tell to the lines of the Newton system.
-void nck_motion_scatter(nck_motion_t *self, int chunk, int kind,
-                        const nck_motion_system_t *system);
+void nck_motion_scatter(nck_motion_t *self, int chunk, int kind, const nck_motion_system_t *system);
 
 // First multipliers of a chunk's rows.
 void nck_motion_seed(nck_motion_t *self, int chunk);

@@ -44,8 +44,7 @@ static inline nck_real nck_path_slope(const nck_seg_t *seg, int x) {
 // Turning the start radius needs no start angle, and s = 0 gives start to the bit. s ≥ L gives end
 // to the bit, s ≤ 0 gives start. L = 0 (dwell): start. axes: so many coordinates, from X on; an arc
 // turns in two of them.
-static inline void nck_path_part(const nck_seg_t *seg, nck_real s, int axes,
-                                 nck_real *point_out) {
+static inline void nck_path_part(const nck_seg_t *seg, nck_real s, int axes, nck_real *point_out) {
     if (s >= seg->length || s <= 0.0) {
         const nck_real *const p = s > 0.0 ? seg->end : seg->start;
         for (int x = 0; x < axes; x++) point_out[x] = p[x];

@@ -108,8 +108,7 @@ double nck_comp_height(const nck_toolcomp_t *self, const int64_t *place_nm);
 // level.c: the contour of an entry, and a piece as it is on the path, with their heights. Cost:
 // constant, but for what is left out before the piece.
 void nck_comp_wall(nck_toolcomp_t *self, uint32_t count, nck_comp_stretch_t *out);
-void nck_comp_stretch(nck_toolcomp_t *self, const nck_comp_piece_t *piece,
-                      nck_comp_stretch_t *out);
+void nck_comp_stretch(nck_toolcomp_t *self, const nck_comp_piece_t *piece, nck_comp_stretch_t *out);
 
 // level.c: how deep is the tool, on a stretch of the path, in a contour [mm]? 0: no deeper than
 // NCK_COMP_CLOSE. at: where. Cost: constant.

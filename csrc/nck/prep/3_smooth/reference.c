@@ -48,8 +48,7 @@ void nck_reference_follow(nck_stream_t *self, int i) {
     const double *const before = i < 2 ? self->clock.s : s - 2 * NCK_FAIR_BINS;
     const double *const behind = i + 3 > self->clock.knots ? s : s + 3 * NCK_FAIR_BINS;
     double at[4];
-    if (line->plane || *before < line->s || behind == s
-        || *behind > line->s + line->length) return;
+    if (line->plane || *before < line->s || behind == s || *behind > line->s + line->length) return;
     for (int k = 0; k < 4; k++) at[k] = place_along(self, line, self->point[i + k]);
     const double c[4] = {(at[0] + 4.0 * at[1] + at[2]) / 6.0, (at[2] - at[0]) / 2.0,
                          (at[0] - 2.0 * at[1] + at[2]) / 2.0,

@@ -166,7 +166,6 @@ static inline uint32_t nck_timing_price(const nck_timing_t *self) {
 
 // Make it. Returns NCK_OK (call again); NCK_DONE. Cost: a slice of 24 places or quarters.
 // Context: prep.
-nck_status_t nck_timing_make(nck_timing_t *self, nck_timing_list_t *list,
-                             const nck_track_t *track);
+nck_status_t nck_timing_make(nck_timing_t *self, nck_timing_list_t *list, const nck_track_t *track);
 
 #endif

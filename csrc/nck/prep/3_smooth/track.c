@@ -73,8 +73,7 @@ static int is_shared(const nck_track_t *self, const nck_seg_t *seg) {
 }
 
 // 1 if the newest line's words are a seg's.
-static int is_same(const nck_track_t *self, const nck_track_element_t *line,
-                   const nck_seg_t *seg) {
+static int is_same(const nck_track_t *self, const nck_track_element_t *line, const nck_seg_t *seg) {
     return line->feed == seg->feed && line->speed == seg->spin.speed
            && line->rapid == seg->rapid && is_shared(self, seg);
 }
@@ -248,8 +247,7 @@ void nck_track_point(const nck_track_t *self, uint32_t count, double s, double *
     }
 }
 
-void nck_track_view(const nck_track_t *self, uint32_t count, double s,
-                    nck_track_view_t *view_out) {
+void nck_track_view(const nck_track_t *self, uint32_t count, double s, nck_track_view_t *view_out) {
     view_out->count = count;
     view_out->s = s;
     view_out->seen[0].count = count;

@@ -228,8 +228,7 @@ static void limit_on_arc(const nck_junction_t *junction, double left, const nck_
         piece->limit = NCK_LIMIT_CURVATURE;
     }
     const double vv = nck_min(vv_curve, raised(piece->vv, terms->v_filter));
-    const double a_arc =
-        nck_limit_arc_accel(left * arc->a_plane, vv * arc->kappa, arc->cos_lambda);
+    const double a_arc = nck_limit_arc_accel(left * arc->a_plane, vv * arc->kappa, arc->cos_lambda);
     piece->a = nck_min(piece->a, a_arc);
     if (!terms->limits_jerk) return;
     piece->a = nck_min(piece->a, ramp_on_arc(arc, arc_speed(junction, piece->vv, terms)));

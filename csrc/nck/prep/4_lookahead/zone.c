@@ -13,8 +13,7 @@ double nck_zone_s(const nck_terms_t *terms) { return terms->machine->period_s + 
 int nck_zone_is_alone(const nck_junction_t *in, const nck_junction_t *out, double load,
                       const nck_terms_t *terms) {
     const double time = nck_zone_s(terms);
-    const double v =
-        nck_corner_speed_alone(NCK_CORNER_SHARE_DENSE, load, terms->machine->period_s);
+    const double v = nck_corner_speed_alone(NCK_CORNER_SHARE_DENSE, load, terms->machine->period_s);
     const double zone = (v + 0.5 * nck_max(in->a_most, out->a_most) * time) * time;
     return nck_min(in->length, out->length) > ZONES_APART * zone;
 }

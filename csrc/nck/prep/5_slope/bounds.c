@@ -92,8 +92,7 @@ static inline double limits_at(const nck_jerk_t *self, const nck_pieces_t *piece
     return inside->vv;
 }
 
-static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, size_t i,
-                       inside_t *inside) {
+static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, size_t i, inside_t *inside) {
     nck_brake_limits_t limits;
     const double vv_cell = limits_at(self, pieces, i, inside, &limits);
     const nck_node_t *const piece = inside->piece;

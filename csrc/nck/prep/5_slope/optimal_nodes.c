@@ -200,8 +200,7 @@ static nck_num most_along(const nck_num *along, const nck_num *pace, int from, i
 static nck_num along_of(const nearby_t *around) {
     nck_num pace[NEAR_NODES];
     nck_num most = 0;
-    const nck_num here =
-        along_node(around->along[NEAR_NODE - 1], around->along[NEAR_NODE]);
+    const nck_num here = along_node(around->along[NEAR_NODE - 1], around->along[NEAR_NODE]);
     if (!(here > 0)) return 0;
     for (int n = 0; n < NEAR_NODES; n++) pace[n] = 1 / here;
     for (int n = 1; n < NEAR_NODES - 1; n++) {

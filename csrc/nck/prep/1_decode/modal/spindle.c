@@ -71,8 +71,7 @@ static nck_status_t check_most(nck_decode_t *self, int fanuc) {
     if (!fanuc) self->modal.speed_most = 0.0;
     if (!nck_has_word(self, 'D')) return NCK_EMPTY;
     if (!fanuc && !shared) return read_most(self, 'D');
-    return nck_decode_fail_word(self, fanuc ? NCK_E_WORD_UNUSED : NCK_E_WORD_SHARED, 'D', 0.0,
-                                0.0);
+    return nck_decode_fail_word(self, fanuc ? NCK_E_WORD_UNUSED : NCK_E_WORD_SHARED, 'D', 0.0, 0.0);
 }
 
 // What G96 needs: a most, since on the axis the speed would have no bound, and a surface speed.

@@ -123,8 +123,7 @@ nck_status_t nck_decode_axis_word(nck_decode_t *self, unsigned axis, int64_t *va
 
 // A place or a way of a linear axis as a word: nine decimals name every nanometre, in inches too.
 // Cost: constant.
-void nck_decode_write(const nck_decode_t *self, unsigned axis, int64_t value_nm,
-                      nck_number_t *out);
+void nck_decode_write(const nck_decode_t *self, unsigned axis, int64_t value_nm, nck_number_t *out);
 
 // A length [nm] that stands in the line, whatever its letter. NCK_E_NUMBER_RANGE.
 nck_status_t nck_decode_length_word(nck_decode_t *self, char letter, int64_t *value_out);

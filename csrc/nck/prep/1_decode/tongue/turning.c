@@ -13,8 +13,7 @@ enum {
 
 int nck_lathe_speaks_fanuc(const nck_decode_t *self) {
     if (!NCK_HAS_LATHE) return 0;
-    return self->machine->kinematics == NCK_KINEMATICS_LATHE_XZ
-           && nck_is_fanuc(self);
+    return self->machine->kinematics == NCK_KINEMATICS_LATHE_XZ && nck_is_fanuc(self);
 }
 
 static uint32_t system_of(const nck_decode_t *self) {
