@@ -6,6 +6,7 @@ and the rows of a run in pieces of any size. The path is made of the blocks agai
 acceleration and jerk is a finite difference of setpoints.
 
 - every axis keeps its speed and acceleration, in the double poses and in the integer joints;
+- no axis leaves its travel, but where the program does;
 - the path coordinate goes forward, to the end, at the feed at most, within the acceleration and,
   under a jerk-limited slope, the jerk that the machine allows on the path; on a clocked path, whose
   coordinate is the program's, what of the axes' acceleration and jerk lies along it does;
@@ -167,6 +168,10 @@ class Checker:
         self._poses = np.repeat(start[None] / COUNTS, 3, axis=0)
         self._joints = np.repeat(start[self._limits.joint_axes][None], 3, axis=0)
         self._s, self._block, self._settled = np.zeros(3), np.zeros(3, np.intp), 0
+        points = np.concatenate([start[None], self.path.end_nm]) / COUNTS
+        low, high = self._limits.travel
+        is_left = (points < low).any(axis=0) | (points > high).any(axis=0)
+        self._least, self._most = np.where(is_left, -np.inf, low), np.where(is_left, np.inf, high)
         self._visits = Visits(self.path, self._poses[0]) if visits else None
         self._clocked_before = self._clocked_next = np.zeros(3, bool)
         self._exact = np.concatenate(
@@ -192,6 +197,8 @@ class Checker:
         self._hold(block < len(self.path.length), "a block that the program has not")
         self._hold(np.diff(block, prepend=self._block[-1]) >= 0, "back to an earlier block")
         self._axis_limits(poses, joints, block)
+        over = np.maximum(poses - self._most, self._least - poses).max(axis=1)
+        self._hold(over <= PATH_ERROR_MM, f"an axis leaves its travel by {over.max():.9g}")
         s = rows["pose"]["s"]
         way = np.linalg.norm(np.diff(np.concatenate([self._poses[-1:], poses]), axis=0), axis=1)
         clocked = rows["pose"]["kind"] == SPLINE  # its coordinate is not the path's length

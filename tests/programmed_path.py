@@ -32,6 +32,7 @@ class Limits:
     path_j_max: float  # infinite for the linear slope, which does not limit it
     feed_max: float
     start_nm: np.ndarray
+    travel: tuple  # its two ends
     joint_axes: list
 
     @classmethod
@@ -52,6 +53,7 @@ class Limits:
             path_j_max=float(record["path"]["j_max"]) if limited else np.inf,
             feed_max=float(record["path"]["feed_max"]),
             start_nm=record["start_nm"].astype(np.int64),
+            travel=(axis["min_nm"] / COUNTS, axis["max_nm"] / COUNTS),
             joint_axes=[0, 2] if lathe else list(np.flatnonzero(present)),
         )
 

@@ -13,6 +13,7 @@
 #include "nck/prep/3_smooth/runs.h"        // nck_runs_…
 #include "nck/base/real.h" // nck_real_of
 
+#define WHOLE (2.0 * NCK_PI - 1e-9) // a turn
 #define ROUNDING 2e-6 // [mm] kept of the tolerance: setpoints are whole nanometres
 
 void nck_smooth_init(nck_smooth_t *self, const nck_terms_t *terms) {
@@ -73,6 +74,36 @@ static int is_within(const nck_smooth_t *self, const nck_block_t *block) {
 // The same within one that knots are near enough for.
 static int is_smooth(const nck_smooth_t *self, const nck_block_t *block) {
     return is_within(self, block) && block->tolerance_mm - ROUNDING >= self->terms->knot_p;
+}
+
+// How far a move reaches along an axis, in the direction sign.
+static double reach_of(const nck_seg_t *seg, int x, double sign) {
+    const nck_seg_arc_t *const arc = &seg->shape.arc;
+    const double ends = nck_max(sign * seg->start[x], sign * seg->end[x]);
+    if (!nck_path_turns(seg, x)) return ends;
+    const int u = arc->axis_u, v = arc->axis_v;
+    const double centre[2] = {arc->centre_u, arc->centre_v};
+    const double way[2] = {x == u ? sign : 0.0, x == v ? sign : 0.0};
+    const double *const from = arc->sweep > 0.0 ? seg->start : seg->end;
+    const double *const to = arc->sweep > 0.0 ? seg->end : seg->start;
+    const double a[2] = {from[u] - centre[0], from[v] - centre[1]};
+    const double b[2] = {to[u] - centre[0], to[v] - centre[1]};
+    if (nck_fabs(arc->sweep) < WHOLE && !nck_arc_passes(a, b, way)) return ends;
+    return sign * centre[x == v] + nck_arc_norm(a[0], a[1]);
+}
+
+// No axis that the move moves comes nearer to an end of its travel than a curve may stray. What
+// begins or ends there goes along the exact path, so that curves keep off.
+static int has_room(const nck_smooth_t *self, const nck_seg_t *seg, double stray) {
+    const nck_machine_t *const machine = self->terms->machine;
+    for (int x = 0; x < self->terms->axes && !machine->roams; x++) {
+        const double counts = nck_machine_counts(machine, x);
+        const double low = nck_real_of(machine->axis[x].min_nm) / counts + stray;
+        const double high = nck_real_of(machine->axis[x].max_nm) / counts - stray;
+        const int moves = nck_fabs(seg->end[x] - seg->start[x]) > 0.0 || nck_path_turns(seg, x);
+        if (moves && (reach_of(seg, x, 1.0) > high || -reach_of(seg, x, -1.0) < low)) return 0;
+    }
+    return 1;
 }
 
 // Within a smaller one the axes keep their jerk, too: the path is exact and rests at corners.
@@ -152,7 +183,7 @@ static void arrive(nck_smooth_t *self, const nck_block_t *block, const nck_seg_t
 // 1 if the block is taken by the clocked run, which it may open; else that is over.
 static int goes_clocked(nck_smooth_t *self, const nck_block_t *block) {
     nck_clocked_t *const clocked = nck_runs_of(self);
-    if (is_smooth(self, block)
+    if (is_smooth(self, block) && has_room(self, &self->next.seg, block->tolerance_mm)
         && nck_clocked_push(clocked, self->terms, &self->next.seg, block->tolerance_mm - ROUNDING,
                             self->rests) == NCK_OK) {
         return 1;
