@@ -17,7 +17,9 @@ static double way(const double *from, const double *to, double *out) {
     return nck_arc_norm(out[0], out[1]);
 }
 
-NCK_APART double nck_shape_turn(const nck_shape_t *self) { return self->sweep < 0.0 ? -1.0 : 1.0; }
+NCK_APART double nck_shape_turn(const nck_shape_t *self) {
+    return self->sweep < 0.0 ? -1.0 : 1.0;
+}
 
 void nck_shape_line(const double *p, const double *q, nck_shape_t *out) {
     double along[2];

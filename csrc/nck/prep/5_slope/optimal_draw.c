@@ -71,9 +71,9 @@ typedef struct portion {
     double a0, a1; // at its ends [1/s]
 } portion_t;
 
-// It as a cell: the cubic of time that has its length and the speeds at both ends. Three places tell
-// little of the time where b all but vanishes: it never goes back, nor is it slower than both ends
-// where it only brakes, or only speeds up.
+// It as a cell: the cubic of time that has its length and the speeds at both ends. Where b all but
+// vanishes three places tell little of the time: it never goes back, nor is it slower than at both
+// ends where it only brakes, or only speeds up.
 static void put_cell(nck_optimal_t *self, const nck_node_t *piece, const portion_t *on, int last) {
     const double knot = self->terms->knot_s;
     const double scale = piece->length / knot;

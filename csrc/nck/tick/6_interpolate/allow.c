@@ -135,7 +135,8 @@ void nck_allow_look(nck_allow_sample_t *samples, const nck_stretch_walk_t *walk,
         of->bend = half * there.second[x];
         of->plan[0] = of->is[0] - at->first[x] * pace->dk;
         of->plan[1] = of->is[1] - 3 * at->second[x] * pace->k * pace->dk;
-        for (int n = 0; n < 2; n++) of->way[n] = (nck_num)(axis[x] - was[n + 1][x]) + rest * of->per;
+        of->way[0] = (nck_num)(axis[x] - was[1][x]) + rest * of->per;
+        of->way[1] = (nck_num)(axis[x] - was[2][x]) + rest * of->per;
     }
 }
 

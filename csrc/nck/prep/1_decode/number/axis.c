@@ -2,11 +2,11 @@
 // The words of the axes: their letters, scales and numbers, where they count from, the travel.
 #include "nck/prep/1_decode/number/number.h"
 #include "nck/prep/1_decode/state/state.h" // nck_decode_fail nck_decode_fail_word
-#include "nck/base/real.h" // NCK_APART nck_real_of
+#include "nck/base/real.h" // nck_real_of
 
 enum { DECIMALS = 9, PLACES = 10000 }; // 10^(DECIMALS − 5)
 
-NCK_APART int nck_decode_letter(unsigned axis) {
+int nck_decode_letter(unsigned axis) {
     static const char letters[] = "XYZABCUVW";
     return letters[axis];
 }
