@@ -30,7 +30,7 @@ from visits import Visits
 SHARE = 1e-6  # how far a limit may be passed
 # … by acceleration and jerk where a late prep lets the tick brake by itself: it goes by the steps
 # of a plan that it follows (csrc/nck/tick/6_interpolate/README.md, "The clock").
-LATE_SHARE = 0.01
+LATE_SHARE = 0.05
 SPLINE = 2  # nck_seg_kind_t: an interval of a clocked path
 STRETCH = 2.5  # a smoothed path may be as much longer than its coordinate somewhere
 ROUNDING = 8 * 2.0**-52  # of a coordinate, 8 ulp at most; felt in accelerations by 1/T²
