@@ -98,7 +98,7 @@ def star():
 
 def tail():
     """Yield the way back."""
-    yield from ("", "M5", "G28 Z5 (up to the reference point)", "G0 X0 Y0", "M30", "%")
+    yield from ("", "M5", "G28 Z5 (up to home)", "G0 X0 Y0", "M30", "%")
 
 
 if __name__ == "__main__":
