@@ -32,6 +32,7 @@ SUBJECTS = {
     "gains": [("gains", "bench_gains_rows")],
     "families": [("families", "bench_families_rows")],
     "tubes": [("families", "bench_tubes_rows")],
+    "rules": [("rules", "bench_rules_rows")],
     "linuxcnc": [("linuxcnc", "bench_linuxcnc_rows")],
     LIVE: [("linuxcnc_live", "bench_live_rows"), ("linuxcnc_wide", "bench_wide_rows")],
     "butterfly": [("linuxcnc", "bench_butterfly_rows")],

@@ -180,13 +180,12 @@ def test_a_clock_that_sets_off_anywhere_keeps_every_limit(turns, stiff):
 
 # A plan slows down to 2 % of its speed, so far a tenth takes longer than a line's brake would.
 @pytest.mark.thorough
-@pytest.mark.parametrize("first", [200, 300])
-def test_a_lowered_override_is_heard_in_time(first):
-    shares = [clocked.try_lowered(seed) for seed in range(first, first + 100)]
+def test_a_lowered_override_is_heard_in_time():
+    shares = [clocked.try_lowered(seed) for seed in range(200, 400)]
     shares = [share for share in shares if share]
     half, most, longest = np.percentile(shares, [50, 90, 100])
     assert half < 1
-    assert most < 1.75  # 1.5 where P is large enough for a curve
+    assert most < 1.5
     assert longest < 3
 
 

@@ -8,6 +8,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import rules
 
 from pycnc.bench import programs
 from pycnc.planning.plan import Plan
@@ -137,12 +138,14 @@ def plan(request):
 
 
 def test_the_numbers_are_those_of_the_source():
-    rows = re.findall(r"^\| [^|]+ \| ([-\d.e]+) \| (\w+) \| (\S+) \|$", NUMBERS, re.M)
-    assert len(rows) > 40
-    for value, name, file in rows:
-        source = (ROOT / "csrc" / "nck" / file).read_text(encoding="utf-8")
-        number = rf"(?:#define {name} |\b{name} = )(?:\(\(nck_num\)|NCK_NUM_OF\()?([-\d.e]+)"
-        assert float(value) == float(re.search(number, source)[1]), name
+    rows = rules.ROW.findall(NUMBERS)
+    told = {(name, room): float(value) for value, name, room in rows}
+    found = {
+        (name, room): float(value)
+        for room, file in rules.TUNING.items()
+        for name, value in rules.NUMBER.findall(file.read_text(encoding="utf-8"))
+    }
+    assert found == told
 
 
 def test_the_tests_that_it_names_are_there():

@@ -6,37 +6,14 @@
 #include <string.h> // memset
 
 #include "nck/base/motion_rows.h" // nck_motion_assemble
+#include "nck/base/tuning.h"      // NCK_MET NCK_WAY …
 
 // What a step does next. A window goes BEGIN, SEED …, then round by round ASSEMBLE …, SOLVE,
 // DIRECT …, GO, until SOLVE finds it good enough; then CHECK ….
 enum { BEGIN, SEED, ASSEMBLE, SOLVE, DIRECT, GO, CHECK, END };
 
-// μ of the first multipliers, as a share of time; larger ones are slow, smaller ones let the first
-// steps run into a corner of the limits.
-#define MU_FIRST NCK_NUM_OF(2)
-// By how much μ may fall in a step: less while a limit is broken.
-#define MU_FALL NCK_NUM_OF(0.15)
-#define MU_FALL_BROKEN NCK_NUM_OF(0.3)
-// The share of time that it stays at while a limit is broken by all of itself: rows that come late
-// find others with no slack to give way.
-#define MU_BROKEN NCK_NUM_OF(0.3)
-// What of the gap is aimed at: the last step need not be exact.
-#define MU_LAST NCK_NUM_OF(0.35)
-// What of the price for excess is time that a gap is a share of: all of it would leave the rest of
-// the motion to chance, none asks for the last digits.
-#define PAID NCK_NUM_OF(0.1)
-// A limit broken by more is not yet met …
-#define BROKEN NCK_NUM_OF(1e-2)
-// … and by so much is met, for numbers of either type.
-#define MET NCK_NUM_OF(sizeof(nck_num) == 4 ? 1e-3 : 2e-4)
-// What is taken between rows may be beyond the limits by so much; reserves are taken so often.
-#define MENDED NCK_NUM_OF(1e-3)
-#define MENDED_MOST 3
-// So much of the way to the nearest limit is gone; and of the way to b = 0.
-#define WAY NCK_NUM_OF(0.97)
-#define WAY_TO_ZERO NCK_NUM_OF(0.8)
-// The last step was a Newton step nearly whole: the gradient is no more than rounding.
-#define WHOLE NCK_NUM_OF(0.9)
+// A limit broken by so much is met; so much more may be taken between rows.
+#define MET NCK_NUM_OF(NCK_MET)
 // A pivot is no smaller than this share of its diagonal: rounding.
 #define PIVOT_MIN NCK_NUM_OF(sizeof(nck_num) == 4 ? 1e-7 : 1e-15)
 // A free node's b is no less: τ/√b⁵ is a number of either type. Where no motion is within the
@@ -237,10 +214,9 @@ static void count_rows(nck_motion_t *self) {
 // The next μ: by the gap that will be left, and no smaller than the last one has to be.
 static void lower_mu(nck_motion_t *self, nck_num gone) {
     const nck_num broken = self->most - NCK_NUM_OF(1);
-    const nck_num fall = broken > BROKEN ? MU_FALL_BROKEN : MU_FALL;
-    const nck_num last = MU_LAST * self->gap * (self->time + self->paid);
-    const nck_num least = MU_BROKEN * self->time * (broken < 1 ? broken : NCK_NUM_OF(1));
-    self->mu = nck_num_max(nck_num_max(fall * gone, last), least) / (nck_num)self->rows;
+    const nck_num last = NCK_AIM * self->gap * (self->time + self->paid);
+    const nck_num least = NCK_MOTION_BROKEN * self->time * (broken < 1 ? broken : NCK_NUM_OF(1));
+    self->mu = nck_num_max(nck_num_max(NCK_FALL * gone, last), least) / (nck_num)self->rows;
 }
 
 static void begin_rounds(nck_motion_t *self) {
@@ -255,28 +231,24 @@ static void begin_rounds(nck_motion_t *self) {
     }
     self->time = time_of(self);
     const nck_num all = self->time + nck_motion_price_of_start(self);
-    self->mu_was = MU_FIRST * all / (nck_num)self->rows;
+    self->mu_was = NCK_MOTION_FIRST * all / (nck_num)self->rows;
     self->slack_per = NCK_NUM_OF(1) / self->mu_was;
-    self->most = NCK_NUM_OF(1) + NCK_NUM_OF(2) * BROKEN; // for all that is known
-    lower_mu(self, MU_FIRST * all);
+    self->most = NCK_NUM_OF(1) + NCK_NUM_OF(2) * MET; // for all that is known
+    lower_mu(self, NCK_MOTION_FIRST * all);
     clear_system(self);
 }
 
-// Rows with a reserve may be broken by as much as what they are reserved against may be left: what
-// is fixed at a window's begin may have no room for it.
-static int is_met(const nck_motion_t *self) {
-    return self->most <= NCK_NUM_OF(1) + (self->mended > 0 ? MENDED : MET);
-}
+static int is_met(const nck_motion_t *self) { return self->most <= NCK_NUM_OF(1) + MET; }
 
 static int is_good(const nck_motion_t *self) {
     return self->iteration > 0 && is_met(self)
-           && self->gone <= self->gap * (self->time + self->paid) && self->step > WHOLE
+           && self->gone <= self->gap * (self->time + self->paid) && self->step > NCK_MOTION_WHOLE
            && most_of(self->sums.back) <= 0;
 }
 
 static nck_status_t solve(nck_motion_t *self) {
     self->time = sum_of(self->sums.time);
-    self->paid = PAID * sum_of(self->sums.paid);
+    self->paid = NCK_MOTION_PAID * sum_of(self->sums.paid);
     self->gone = sum_of(self->sums.gone);
     self->most = most_of(self->sums.most);
     if (is_good(self) || self->iteration >= self->wish.most) {
@@ -294,12 +266,12 @@ static nck_status_t solve(nck_motion_t *self) {
 // How far the step goes: nearly to the nearest limit, and never near b = 0.
 static nck_num step_length(const nck_motion_t *self) {
     const nck_num up = most_of(self->sums.up);
-    nck_num step = up > WAY ? WAY / up : NCK_NUM_OF(1);
+    nck_num step = up > NCK_WAY ? NCK_WAY / up : NCK_NUM_OF(1);
     nck_num down = 0;
     for (int k = self->wish.fixed; k < self->free_end; k++) {
         down = nck_num_max(down, -self->work->step_b[k + 1] / self->b[k + 1]);
     }
-    if (down * step > WAY_TO_ZERO) step = WAY_TO_ZERO / down;
+    if (down * step > NCK_WAY) step = NCK_WAY / down;
     return step;
 }
 
@@ -329,9 +301,9 @@ static void go(nck_motion_t *self) {
 // The end; or, where more than the limits is taken between rows, a few rounds more with reserves.
 static nck_status_t finish(nck_motion_t *self) {
     self->found = most_of(self->sums.most);
-    const int may_mend = !(self->wish.ends & NCK_MOTION_COARSE) && self->mended < MENDED_MOST;
-    if (may_mend && is_met(self) && self->found > NCK_NUM_OF(1) + MENDED) {
-        self->mended++;
+    const int is_rough = (self->wish.ends & NCK_MOTION_COARSE) != 0;
+    const int may_mend = !is_rough && self->iteration < self->wish.most;
+    if (may_mend && is_met(self) && self->found > NCK_NUM_OF(1) + MET) {
         self->most = self->found;
         self->step = 0; // rows that are nearly met have to give way all the same
         lower_mu(self, self->gone);

@@ -86,7 +86,7 @@ typedef struct nck_motion_wish {
     unsigned ends;          // NCK_MOTION_…
     int most;               // iterations at most
     double gap;             // how much of the time may be lost, as a share: 1e-7 … 1
-    double room;            // what a broken row's slack begins with: 0.3, small near a good start
+    double room;            // what a broken row's slack begins with
     double price;           // SOFT: of being beyond a cap, in halves of the time that it wins
 } nck_motion_wish_t;
 
@@ -154,7 +154,6 @@ typedef struct nck_motion {
     int cap_low;               // caps from this node on
     int free_end;              // nodes fixed … free_end − 1 are free
     int phase, chunk;          // what the next step does
-    int mended;                // how often reserves were taken
     int iteration;             // so many Newton steps are done
     int rows;                  // how many there are
     int moving;                // axes that move, of axis[]

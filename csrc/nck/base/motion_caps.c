@@ -102,10 +102,10 @@ static void renew_soft_cap(nck_motion_t *self, int k, nck_num dz) {
     const nck_num z = *cap_z;
     const nck_num y = *cap_y;
     const nck_num price = z + y;
-    *cap_z = nck_num_max(z + dz, NCK_MOTION_KEPT * z);
-    *cap_y = nck_num_max(y - dz, NCK_MOTION_KEPT * y);
-    if (z + dz < NCK_MOTION_KEPT * z) *cap_y = price - *cap_z;
-    if (y - dz < NCK_MOTION_KEPT * y) *cap_z = price - *cap_y;
+    *cap_z = nck_num_max(z + dz, NCK_FALL * z);
+    *cap_y = nck_num_max(y - dz, NCK_FALL * y);
+    if (z + dz < NCK_FALL * z) *cap_y = price - *cap_z;
+    if (y - dz < NCK_FALL * y) *cap_z = price - *cap_y;
     self->sums.back[0] = nck_num_max(self->sums.back[0],
                                 nck_num_max(-dz - NCK_NUM_OF(2) * z, dz - NCK_NUM_OF(2) * y));
 }

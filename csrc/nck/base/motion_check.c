@@ -4,6 +4,10 @@
 
 #include "nck/base/motion_math.h" // nck_motion_jerk
 #include "nck/base/motion_rows.h" // nck_motion_shape
+#include "nck/base/tuning.h"      // NCK_MET
+
+// What is passed between rows by more has a reserve against it.
+#define MET NCK_NUM_OF(NCK_MET)
 
 // Places of half a cell that are looked at, an eighth of a cell apart.
 enum { SPOTS = 5 };
@@ -122,9 +126,9 @@ static void reserve(nck_motion_t *self, int node, nck_num most, nck_num fastest)
     nck_num *const lane = &self->sums.most[node % NCK_MOTION_LANES];
     *lane = nck_num_max(*lane, nck_num_max(share, speed));
     if (node > 0 && node <= self->wish.fixed) return;
-    if (share > NCK_NUM_OF(1)) *reserve += share - NCK_NUM_OF(1) + NCK_MOTION_MARGIN;
-    if (speed > NCK_NUM_OF(1) && !(self->wish.ends & NCK_MOTION_SOFT)) {
-        self->cap[node + 1] /= (speed + NCK_MOTION_MARGIN) * (speed + NCK_MOTION_MARGIN);
+    if (share > NCK_NUM_OF(1) + MET) *reserve += share - NCK_NUM_OF(1);
+    if (speed > NCK_NUM_OF(1) + MET && !(self->wish.ends & NCK_MOTION_SOFT)) {
+        self->cap[node + 1] /= speed * speed;
         self->scale[node + 1] = NCK_NUM_OF(1) / self->cap[node + 1];
     }
 }

@@ -4,12 +4,11 @@
 #ifndef NCK_BASE_MOTION_MATH_H
 #define NCK_BASE_MOTION_MATH_H
 
-#include "nck/base/real.h" // nck_num
+#include "nck/base/real.h"   // nck_num
+#include "nck/base/tuning.h" // NCK_FALL
 
 // A smaller room is none: sums of nck_num cannot tell it from a limit that is broken.
 #define NCK_MOTION_ROOM_MIN NCK_NUM_OF(sizeof(nck_num) == 4 ? 1e-6 : 1e-10)
-// A multiplier falls to no less than this share of itself in a step, so none is ever negative.
-#define NCK_MOTION_KEPT NCK_NUM_OF(0.1)
 // Seconds for one whole limit: what no limit of a feasible window is worth. Keeps others finite.
 #define NCK_MOTION_Z_MOST NCK_NUM_OF(1e8)
 
@@ -135,7 +134,7 @@ static inline nck_num nck_motion_multiplier(nck_motion_row_t row, nck_num z, nck
 
 // The same, kept within what a multiplier may be.
 static inline nck_num nck_motion_renewed(nck_num now, nck_num z) {
-    return nck_num_min(nck_num_max(now, NCK_MOTION_KEPT * z), NCK_MOTION_Z_MOST);
+    return nck_num_min(nck_num_max(now, NCK_FALL * z), NCK_MOTION_Z_MOST);
 }
 
 // 1/(share of the step that ends at the limit) of a row that is held: the larger one of

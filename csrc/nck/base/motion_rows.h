@@ -9,9 +9,6 @@
 extern "C" {
 #endif
 
-// What a reserve is larger by than what it is for: rows may be broken by as much in the end.
-#define NCK_MOTION_MARGIN NCK_NUM_OF(2e-4)
-
 // The motion about a place, or a step of it: what every row is made of. Linear in b.
 typedef struct nck_motion_shape {
     nck_motion_lanes_t bend[2]; // α on either side of the place

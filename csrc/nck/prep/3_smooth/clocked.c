@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Inside room 3: runs of blocks within a tolerance as clocked paths.
+#include "nck/base/path_math.h"        // nck_path_slope
+#include "nck/base/real.h"             // nck_fabs nck_max nck_min
+#include "nck/base/tuning.h"           // NCK_ITERATIONS
 #include "nck/prep/3_smooth/clocked.h"
+#include "nck/prep/3_smooth/smooth.h"  // NCK_HAS_OPTIMAL
+#include "nck/prep/3_smooth/tuning.h" // NCK_STREAM_ROUNDS …
 
 #include <stddef.h> // offsetof
 #include <string.h> // memcpy memset
 
-#include "nck/base/path_math.h"        // nck_path_slope
-#include "nck/base/real.h"             // nck_fabs nck_max nck_min
-#include "nck/prep/3_smooth/smooth.h"  // NCK_HAS_OPTIMAL
 
-enum {
-    ROUNDS = 4, // clocks a window: a fifth wins nothing, a third one alone 1 % less in corners
-    ITERATIONS = 10 // of a clock's plan
-};
-#define GAP 0.1 // of the curve: less wins nothing
 #define LENGTH_LEAST 1e-9 // [path mm] of an interval beside a rest; one without length is a rest
 
 static double most_feed(const nck_machine_t *machine, const nck_seg_t *seg, int axes) {
@@ -62,9 +59,9 @@ static void open_run(nck_clocked_t *self, const nck_terms_t *terms, const nck_se
                      int rests) {
     nck_stream_wish_t wish;
     set_terms(&wish.terms, terms);
-    wish.rounds = ROUNDS;
-    wish.gap = GAP;
-    wish.most = ITERATIONS;
+    wish.rounds = NCK_STREAM_ROUNDS;
+    wish.gap = NCK_STREAM_GAP;
+    wish.most = NCK_ITERATIONS;
     self->open = 1;
     self->closed = 0;
     self->rests = rests ? 0 : 1;

@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Inside room 3: the smoothest curve within a tolerance, by an interior point method in slices.
+#include "nck/base/tuning.h"              // NCK_ROOM NCK_WAY …
+#include "nck/prep/3_smooth/basis_math.h" // nck_basis_…
 #include "nck/prep/3_smooth/fair.h"
+#include "nck/prep/3_smooth/tuning.h" // NCK_FAIR_BETTER …
 
 #include <string.h> // memset
 
-#include "nck/prep/3_smooth/basis_math.h" // nck_basis_…
 
-#define ROOM ((nck_num)0.3)  // [P²] a slack begins with at least
-#define BETTER ((nck_num)0.02) // [P²] by which a sample is worse before a row changes to it:
-                                 // less and noise makes them take turns
-#define SOUND ((nck_num)2e-3)    // [P²] that a slack may be off at the end …
-#define SOUND_PER_GAP ((nck_num)0.02) // … or so much of a wide gap
-#define FARTHEST ((nck_num)0.95) // of the way to the nearest slack or price of zero
-#define LEAST_MU ((nck_num)1e-3) // that it begins with, where nothing jerks
-#define SMALL ((nck_num)0.02) // an objective of so much a row is as good as none
-#define FAR ((nck_num)0.1)    // [P²] rows are missed by so much at first: then SLOWLY
-#define SLOWLY ((nck_num)0.3) // share of the complement that a step leads to
-#define QUICKLY ((nck_num)0.1)
-#define ENOUGH ((nck_num)0.4) // of the gap that is asked for: nothing is gained by less
 #define WORK 8000 // operations a call: 40 000 instructions of a processor without vectors
 
 // Operations of an interval's dearest phase: 4 rows enter a triangle of (4 axes)²/2 elements, each
@@ -97,7 +87,7 @@ static inline nck_num find_worst(nck_fair_t *self, int axes, int b, nck_num (*cu
     nck_num other[NCK_AXIS_MAX];
     int kept = self->iterations > 0 ? self->kept[b] : self->first[b];
     nck_num most = measure(self, axes, kept, cubic, e);
-    const nck_num bar = self->iterations > 0 ? BETTER : 0;
+    const nck_num bar = self->iterations > 0 ? NCK_FAIR_BETTER : 0;
     int found = kept;
     nck_num worst = most;
     for (int k = self->first[b]; k < self->first[b + 1]; k++) {
@@ -107,7 +97,6 @@ static inline nck_num find_worst(nck_fair_t *self, int axes, int b, nck_num (*cu
             found = k;
         }
     }
-    self->sum.worst = nck_num_max(self->sum.worst, worst);
     if (found != kept && worst > most + bar) {
         kept = found;
         most = measure(self, axes, kept, cubic, e);
@@ -119,7 +108,7 @@ static inline nck_num find_worst(nck_fair_t *self, int axes, int b, nck_num (*cu
 // Look at a row: a slack below its row's would jam the steps, so it is raised.
 static inline void look_at_row(nck_fair_t *self, int axes, int b, nck_num (*cubic)[4]) {
     const nck_num room = self->limit[b] - find_worst(self, axes, b, cubic);
-    if (self->iterations == 0) self->slack[b] = nck_num_max(room, ROOM);
+    if (self->iterations == 0) self->slack[b] = nck_num_max(room, NCK_NUM_OF(NCK_ROOM));
     else self->slack[b] = nck_num_max(room, self->slack[b]);
     self->sum.primal = nck_num_max(self->sum.primal, self->slack[b] - room);
     if (self->iterations > 0) self->sum.complement += self->slack[b] * self->price[b];
@@ -337,10 +326,10 @@ static inline void back_at(nck_fair_t *self, int axes, int i) {
     for (int k = 0; k < NCK_FAIR_BINS; k++) respond(self, axes, NCK_FAIR_BINS * i + k, cubic);
 }
 
-// All prices for the first iteration.
-static void set_prices(nck_fair_t *self) {
+// All prices for the first iteration; least: what μ is led to at the end.
+static void set_prices(nck_fair_t *self, nck_num least) {
     const int rows = self->task.knots * NCK_FAIR_BINS;
-    self->sum.mu = nck_num_max(self->sum.objective / (nck_num)(2 * rows), LEAST_MU);
+    self->sum.mu = nck_num_max(self->sum.objective / (nck_num)(2 * rows), least);
     for (int b = 0; b < rows; b++) self->price[b] = self->sum.mu / self->slack[b];
     self->sum.complement = (nck_num)rows * self->sum.mu;
 }
@@ -348,13 +337,13 @@ static void set_prices(nck_fair_t *self) {
 // All rows are looked at: is this the answer? If not, how far the next step is to lead.
 static int is_done(nck_fair_t *self) {
     const nck_num rows = (nck_num)(self->task.knots * NCK_FAIR_BINS);
-    const nck_num bar = self->task.gap * (self->sum.objective + SMALL * rows);
-    const nck_num sound = nck_num_max(SOUND, SOUND_PER_GAP * self->task.gap);
-    if (self->iterations == 0) set_prices(self);
+    const nck_num bar = self->task.gap * (self->sum.objective + NCK_FAIR_SMALL * rows);
+    const nck_num least = NCK_AIM * bar / rows;
+    const nck_num sound = NCK_FAIR_SOUND * self->task.gap;
+    if (self->iterations == 0) set_prices(self, least);
     else if (self->sum.complement <= bar && self->sum.primal < sound) return 1;
     if (self->iterations >= self->task.most) return 1;
-    const nck_num shrink = self->sum.primal > FAR ? SLOWLY : QUICKLY;
-    self->sum.mu = nck_num_max(shrink * self->sum.complement, ENOUGH * bar) / rows;
+    self->sum.mu = nck_num_max(NCK_FALL * self->sum.complement / rows, least);
     self->sum.shrink = 0;
     self->sum.cheapen = 0;
     return 0;
@@ -362,12 +351,11 @@ static int is_done(nck_fair_t *self) {
 
 // Newton's step is known: how much of it keeps slacks and prices positive.
 static void set_steps(nck_fair_t *self) {
-    self->sum.step = self->sum.shrink > FARTHEST ? FARTHEST / self->sum.shrink : 1;
-    self->sum.step_price = self->sum.cheapen > FARTHEST ? FARTHEST / self->sum.cheapen : 1;
+    self->sum.step = self->sum.shrink > NCK_WAY ? NCK_WAY / self->sum.shrink : 1;
+    self->sum.step_price = self->sum.cheapen > NCK_WAY ? NCK_WAY / self->sum.cheapen : 1;
     self->sum.objective = 0;
     self->sum.complement = 0;
     self->sum.primal = 0;
-    self->sum.worst = 0;
     self->iterations++;
 }
 

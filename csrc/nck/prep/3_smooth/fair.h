@@ -70,7 +70,6 @@ typedef struct nck_fair {
         nck_num objective;
         nck_num complement; // Σ s·z
         nck_num primal;     // most that a slack is off its row
-        nck_num worst;      // most |e|²
         nck_num shrink;     // most by which a full step would shrink a slack, and a price, as a
         nck_num cheapen;    // share of it
         nck_num step;       // of the unknown and slacks, and of prices

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Inside room 3: a window's reference, the program at knots as a spline.
+#include "nck/base/real.h" // nck_fabs nck_max
 #include "nck/prep/3_smooth/reference.h"
+#include "nck/prep/3_smooth/tuning.h" // NCK_REFERENCE_FOLLOWS
 
 #include <string.h> // memcpy
 
-#include "nck/base/real.h" // nck_fabs nck_max
 
-#define FOLLOWS 0.05 // of an interval that s may change by: more is a seam off the line
 
 void nck_reference_point(nck_stream_t *self, double s, double *point_out) {
     self->near = nck_track_find(&self->track, self->near, s);
@@ -55,7 +55,7 @@ void nck_reference_follow(nck_stream_t *self, int i) {
                          (at[3] - at[0] + 3.0 * (at[1] - at[2])) / 6.0};
     const double off = nck_max(nck_fabs(c[0] - s[0]),
                                nck_fabs(c[0] + c[1] + c[2] + c[3] - s[NCK_FAIR_BINS]));
-    if (off > FOLLOWS * (s[NCK_FAIR_BINS] - s[0])) return;
+    if (off > NCK_REFERENCE_FOLLOWS * (s[NCK_FAIR_BINS] - s[0])) return;
     const int first = i == 0; // a window's first s stays
     for (int k = first; k <= NCK_FAIR_BINS; k++) {
         const double w = 0.25 * (double)k;

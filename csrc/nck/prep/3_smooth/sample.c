@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Inside room 3: samples of a window, and the proof of |r − p| ≤ P between them.
-#include "nck/prep/3_smooth/sample.h"
-
-#include <string.h> // memcpy
-
 #include "nck/base/path.h" // nck_path_second_part
 #include "nck/base/real.h" // nck_num_max nck_num_min …
 #include "nck/prep/3_smooth/reference.h" // nck_reference_follow nck_reference_point
+#include "nck/prep/3_smooth/sample.h"
+#include "nck/prep/3_smooth/tuning.h" // NCK_ROUNDING
 
-#define PLENTY 8      // bins of the window may have as many samples as this one without its choice
-#define PARTS 8       // of a stretch, where its bound is not within P
-#define REST_BINS 16  // of an interval on the way to a rest, over which s is as good as straight
-#define ROUNDING ((nck_num)2e-6) // [mm] kept of the tolerance: setpoints are whole nanometres
+#include <string.h> // memcpy
+
+
 #define LOSS (8 * NCK_NUM_EPSILON) // what eight sums lose of the largest number in them
 
 // The curve in an interval, from a point of the program near it: coefficients of w, w = 0 … 1, an
@@ -107,7 +104,7 @@ static nck_num place_of(const bin_t *bin, double s) {
 static nck_num room_of(const nck_stream_t *self, nck_num tolerance) {
     const nck_num quarter = (nck_num)(0.25 * self->wish.terms.tau);
     const nck_num lies_between = self->wish.terms.a_reached * quarter * quarter / 8;
-    return nck_num_max(tolerance - ROUNDING - lies_between, tolerance / 2);
+    return nck_num_max(tolerance - (nck_num)NCK_ROUNDING - lies_between, tolerance / 2);
 }
 
 // s in the middle of a bin, as its neighbours let expect: straight between its ends it would be off
@@ -212,7 +209,7 @@ static void fill_bin(nck_stream_t *self, cubic_t *cubic, const bin_t *bin, doubl
     nck_track_offset(&self->track, &cubic->from, self->near, middle, point);
     add_point(self, cubic, (bin->w[0] + bin->w[1]) / 2, point);
     const uint32_t vertices = bin->last - bin->first;
-    if (vertices > 2 && (int)vertices > nck_fair_room(&self->work.fair) / PLENTY) {
+    if (vertices > 2 && (int)vertices > nck_fair_room(&self->work.fair)) {
         add_extremes(self, cubic, bin);
     } else {
         for (uint32_t n = 1; n <= vertices; n++) add_vertex(self, cubic, bin, bin->first + n);
@@ -330,14 +327,15 @@ static nck_num most_along_parts(const nck_stream_t *self, cubic_t *cubic, const 
     nck_num point[NCK_AXIS_MAX];
     nck_num off[NCK_AXIS_MAX];
     reach_t part = *on;
-    for (int k = 1; k <= PARTS; k++) {
-        const nck_num share = (nck_num)k / (nck_num)PARTS;
+    for (int k = 1; k <= NCK_SAMPLE_PARTS; k++) {
+        const nck_num share = (nck_num)k / (nck_num)NCK_SAMPLE_PARTS;
         const double s = on->s[0] + (on->s[1] - on->s[0]) * (double)share;
         part.w[1] = on->w[0] + (on->w[1] - on->w[0]) * share;
         nck_track_offset(&self->track, &cubic->from, on->element, s, point);
         (void)set_off(self, cubic, part.w[1], point, off);
         part.s[1] = is_straight ? s : nearest(self, on->element, s, off);
-        part.s[1] = k < PARTS ? nck_min(nck_max(part.s[1], part.s[0]), on->s[1]) : on->s[1];
+        part.s[1] = nck_min(nck_max(part.s[1], part.s[0]), on->s[1]);
+        if (k == NCK_SAMPLE_PARTS) part.s[1] = on->s[1];
         most = nck_num_max(most, most_along(self, cubic, &part));
         part.s[0] = part.s[1];
         part.w[0] = part.w[1];
@@ -347,7 +345,7 @@ static nck_num most_along_parts(const nck_stream_t *self, cubic_t *cubic, const 
 
 // The most |r − p|/P in a bin.
 static nck_num bin_miss(const nck_stream_t *self, cubic_t *cubic, const bin_t *bin) {
-    const nck_num kept = ROUNDING + cubic->loss;
+    const nck_num kept = (nck_num)NCK_ROUNDING + cubic->loss;
     nck_num most = 0;
     reach_t on = {.w = {bin->w[0], 0}};
     for (uint32_t n = bin->first; n != bin->last + 1; n++) {
@@ -458,8 +456,9 @@ double nck_sample_rest_miss(nck_stream_t *self, const nck_sample_rest_t *rest, i
     self->near = nck_track_find(&self->track, self->near, s);
     nck_track_view(&self->track, self->near, s, &cubic.from);
     set_cubic(self->track.axes, c, &cubic);
-    for (int n = 0; n < REST_BINS; n++) {
-        bin_t bin = {.w = {(nck_num)n / (nck_num)REST_BINS, (nck_num)(n + 1) / (nck_num)REST_BINS}};
+    for (int n = 0; n < NCK_FAIR_BINS; n++) {
+        const nck_num share = 1 / (nck_num)NCK_FAIR_BINS;
+        bin_t bin = {.w = {share * (nck_num)n, share * (nck_num)(n + 1)}};
         bin.s[0] = spline_of(&rest->place[i], bin.w[0]);
         bin.s[1] = nck_max(spline_of(&rest->place[i], bin.w[1]), bin.s[0]);
         set_elements(self, &bin);

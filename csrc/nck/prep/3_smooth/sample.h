@@ -4,6 +4,7 @@
 #define NCK_PREP_SAMPLE_H
 
 #include "nck/prep/3_smooth/stream.h" // nck_stream_t
+#include "nck/prep/3_smooth/tuning.h" // NCK_SAMPLE_REST
 
 // What interval i asks of the curve: the reference's jerk, samples of four bins.
 // Cost: 4 points, and linear in elements. Context: prep.
@@ -12,9 +13,6 @@ void nck_sample_interval(nck_stream_t *self, int i);
 // The most that the curve is off the program in interval i, over the tolerance there: a bound.
 // Cost: 5 points, 60 operations an axis and element. Context: prep.
 double nck_sample_miss(nck_stream_t *self, int i);
-
-// Intervals in which a curve comes to rest behind a seam.
-enum { NCK_SAMPLE_REST = 6 };
 
 // Such a rest: control points, the last three of which are one, on the program.
 typedef struct nck_sample_rest {

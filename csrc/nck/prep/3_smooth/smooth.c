@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Room 3, smooth: blocks in, segs and outputs out.
+#include "nck/base/arc_math.h"             // nck_plane_axis
+#include "nck/base/budget.h"               // NCK_TOLERANCE_MIN
+#include "nck/base/real.h" // nck_real_of
+#include "nck/prep/3_smooth/divide.h"      // nck_divide_…
+#include "nck/prep/3_smooth/metric_math.h" // nck_metric_of
+#include "nck/prep/3_smooth/runs.h"        // nck_runs_…
 #include "nck/prep/3_smooth/smooth.h"
+#include "nck/prep/3_smooth/tuning.h" // NCK_ROUNDING
 
 #include <assert.h> // assert
 #include <stddef.h> // offsetof
 #include <string.h> // memcpy memset
 
-#include "nck/base/arc_math.h"             // nck_plane_axis
-#include "nck/base/budget.h"               // NCK_TOLERANCE_MIN
-#include "nck/prep/3_smooth/divide.h"      // nck_divide_…
-#include "nck/prep/3_smooth/metric_math.h" // nck_metric_of
-#include "nck/prep/3_smooth/runs.h"        // nck_runs_…
-#include "nck/base/real.h" // nck_real_of
 
 #define WHOLE (2.0 * NCK_PI - 1e-9) // a turn
-#define ROUNDING 2e-6 // [mm] kept of the tolerance: setpoints are whole nanometres
 
 void nck_smooth_init(nck_smooth_t *self, const nck_terms_t *terms) {
     const nck_machine_t *const machine = terms->machine;
@@ -73,7 +73,7 @@ static int is_within(const nck_smooth_t *self, const nck_block_t *block) {
 
 // The same within one that knots are near enough for.
 static int is_smooth(const nck_smooth_t *self, const nck_block_t *block) {
-    return is_within(self, block) && block->tolerance_mm - ROUNDING >= self->terms->knot_p;
+    return is_within(self, block) && block->tolerance_mm - NCK_ROUNDING >= self->terms->knot_p;
 }
 
 // How far a move reaches along an axis, in the direction sign.
@@ -184,8 +184,8 @@ static void arrive(nck_smooth_t *self, const nck_block_t *block, const nck_seg_t
 static int goes_clocked(nck_smooth_t *self, const nck_block_t *block) {
     nck_clocked_t *const clocked = nck_runs_of(self);
     if (is_smooth(self, block) && has_room(self, &self->next.seg, block->tolerance_mm)
-        && nck_clocked_push(clocked, self->terms, &self->next.seg, block->tolerance_mm - ROUNDING,
-                            self->rests) == NCK_OK) {
+        && nck_clocked_push(clocked, self->terms, &self->next.seg,
+                            block->tolerance_mm - NCK_ROUNDING, self->rests) == NCK_OK) {
         return 1;
     }
     // Outputs, until the program ends.

@@ -1,39 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Inside room 3: windows and rounds, from segs to pieces of one curve.
+#include "nck/base/budget.h"          // NCK_UNLIMITED
+#include "nck/base/real.h"            // nck_fabs nck_max nck_min
+#include "nck/base/tuning.h"          // NCK_ITERATIONS …
+#include "nck/prep/3_smooth/reference.h" // nck_reference_set
+#include "nck/prep/3_smooth/sample.h" // nck_sample_…
 #include "nck/prep/3_smooth/stream.h"
+#include "nck/prep/3_smooth/tuning.h" // NCK_STREAM_SHARE …
 
 #include <string.h> // memcpy memset
 
-#include "nck/base/real.h"            // nck_fabs nck_max nck_min
-#include "nck/prep/3_smooth/reference.h" // nck_reference_set
-#include "nck/prep/3_smooth/sample.h" // nck_sample_…
 
-#define SHARE 0.98 // of P that samples may use: the solver is done when it is not far off
-#define BLEND 40   // knots over which a plan comes into the clock behind what is committed
-#define FURTHER 64 // knots of what follows that what is given has to know: a quarter of a second
-#define OPEN 12    // last knots of a plan that know too little of what follows
-#define BLEND_SOON 8 // the same where the clock was far too fast
-#define SOUND 0.02 // [P²] rows may be off by in what is the answer
 #define LOST 100.0 // [P²] what has come of it is no curve
-#define NEXT 8      // knots behind a seam that are looked at, where to put it
-#define RELAXED ((nck_num)0.5) // that a seam further ahead must be better
-#define JOINED 3   // intervals behind what is given that have to be within P, too
-#define FAR 1.2    // [P] what is off by more than that between samples is of a clock too fast
-#define MOST 40    // iterations of a curve
-#define PLAN_GAP 0.1  // of a clock's plan, as a share of its time: a clock needs no more
-#define PLAN_ROOM 0.3 // what a broken row's slack begins with: the guess may be far off
-#define TRIES 6    // curves of a window that may miss P …
-#define TRIES_REST 20 // … that begins at rest, where a clock slow enough always has one
-#define FRESH 0.6  // [1] b that the first plan begins with: slow enough nearly everywhere
-#define NEAR 0.85  // [1] the same where the clock comes from a plan
 #define FASTEST ((nck_num)1e6) // [1] b where a curve stands still: it is no limit there
-#define AHEAD 16   // intervals behind what is given whose clock matters to it
-#define STEADY 0.02 // mean share by which a plan is off its clock, below which that is the answer;
-                    // half of it wins 0.1 % and costs 8 % more
-#define EVEN ((nck_num)4.0) // of a curve along a planned clock: 16 wins 0.1 % of time
-#define FIRST_GAP ((nck_num)10.0) // times the gap along the guess: 5.5 iterations for 8.9
-#define STAY ((nck_num)0.03) // of a curve off its samples; without it a third more iterations
-#define FIRM ((nck_num)16.0) // … ε scale² at least: less, and a wide P's matrix has no inverse
 #define POINTS 8   // reference points and nodes a call
 
 static nck_status_t go(nck_stream_t *self, nck_stream_phase_t phase) {
@@ -50,7 +29,7 @@ void nck_stream_begin(nck_stream_t *self, const nck_stream_wish_t *wish) {
     self->tries = 0;
     self->commit = 0;
     self->halts = 0;
-    self->share = SHARE;
+    self->share = NCK_STREAM_SHARE;
     self->unit = 0.0;
     self->miss = 0.0;
     self->near = 0;
@@ -136,12 +115,13 @@ static void begin_fair(nck_stream_t *self) {
     task.knots = self->clock.knots;
     task.axes = self->moving;
     // The first clock is a guess, too fast in corners; where a curve has failed squares are surer.
-    task.even = self->round > 0 && self->tries == 0 ? EVEN : 0;
+    task.even = self->round > 0 && self->tries == 0 ? NCK_STREAM_EVEN : 0;
     task.ends = self->clock.ends;
-    task.most = MOST;
-    task.gap = (nck_num)self->wish.gap * (self->round == 0 ? FIRST_GAP : 1);
+    task.most = NCK_ITERATIONS;
+    task.gap = (nck_num)self->wish.gap * (self->round == 0 ? NCK_STREAM_FIRST_GAP : 1);
     task.scale = (nck_num)(self->unit / ((double)terms->smooth_least * tau * tau * tau));
-    task.stay = nck_num_max(STAY, FIRM * NCK_NUM_EPSILON * task.scale * task.scale);
+    const nck_num firm = NCK_STREAM_FIRM * NCK_NUM_EPSILON;
+    task.stay = nck_num_max(NCK_STREAM_STAY, firm * task.scale * task.scale);
     for (int n = 0; n < self->moving; n++) {
         task.share[n] = terms->smooth_least / terms->smooth[self->axis[n]];
     }
@@ -177,11 +157,11 @@ static void take_curve(nck_stream_t *self) {
 static int to_commit(const nck_stream_t *self) {
     const int knots = self->clock.knots;
     if (self->clock.ends) return knots;
-    int best = knots > 2 * FURTHER ? knots - FURTHER : knots / 2;
-    nck_num least = nck_fair_tightness(&self->work.fair, best, NEXT);
+    int best = knots > 2 * NCK_FURTHER ? knots - NCK_FURTHER : knots / 2;
+    nck_num least = nck_fair_tightness(&self->work.fair, best, NCK_STREAM_NEXT);
     for (int k = best - 1; k >= best / 2; k--) {
-        const nck_num here = nck_fair_tightness(&self->work.fair, k, NEXT);
-        if (!(here < RELAXED * least)) continue;
+        const nck_num here = nck_fair_tightness(&self->work.fair, k, NCK_STREAM_NEXT);
+        if (!(here < NCK_STREAM_RELAXED * least)) continue;
         least = here;
         best = k;
     }
@@ -193,12 +173,10 @@ static nck_status_t slow_down(nck_stream_t *self) {
     for (int k = 0; k <= self->clock.knots; k++) self->b[k] = (nck_num)0.25;
     self->told.slowed++;
     self->clock.even = 1;
-    const int span[3] = {0, self->clock.knots, self->clock.begins ? 0 : BLEND_SOON};
+    const int span[3] = {0, self->clock.knots, self->clock.begins ? 0 : NCK_STREAM_BLEND};
     nck_timing_begin_keep(&self->clock, &self->work.list, &self->track, span);
     return go(self, NCK_STREAM_KEEP);
 }
-
-static int tries_of(const nck_stream_t *self) { return self->clock.begins ? TRIES_REST : TRIES; }
 
 // What has come of it is no curve: rows are far off, or single precision has run over.
 static int is_lost(const nck_stream_t *self) {
@@ -210,13 +188,12 @@ static int is_lost(const nck_stream_t *self) {
 
 static nck_status_t make_fair(nck_stream_t *self) {
     if (nck_fair_step(&self->work.fair) == NCK_OK) return NCK_OK;
-    const nck_num primal = self->work.fair.sum.primal;
     self->told.windows++;
     self->planned = 0;
     self->told.iterations += (uint32_t)self->work.fair.iterations;
-    self->sound = primal < (nck_num)SOUND;
+    self->sound = self->work.fair.iterations < NCK_ITERATIONS;
     const int lost = is_lost(self);
-    if (lost && self->tries < tries_of(self)) {
+    if (lost && self->tries < NCK_STREAM_TRIES) {
         self->tries++;
         return slow_down(self);
     }
@@ -226,23 +203,15 @@ static nck_status_t make_fair(nck_stream_t *self) {
     return go(self, is_last_round(self) ? NCK_STREAM_PROVE : NCK_STREAM_NODES);
 }
 
-// A curve that is off somewhere is made again: on the next clock, which its plan makes slower,
-// if it is not the answer, else with less of P.
+// A curve that is off is made again: on the next clock, which its plan makes slower; where that is
+// the answer, with less of P.
 static nck_status_t try_again(nck_stream_t *self, double found) {
     self->tries++;
     self->told.again++;
-    const int is_far = !self->sound || found > FAR;
-    if (is_far && self->tries < TRIES) return go(self, NCK_STREAM_NODES);
-    if (!self->sound || self->tries > TRIES) return slow_down(self);
-    self->share = nck_max(0.5, self->share * nck_max(0.8, 0.99 / found));
+    if (self->tries >= NCK_STREAM_TRIES / 2) return slow_down(self);
+    if (!self->sound || !self->planned) return go(self, NCK_STREAM_NODES);
+    self->share *= nck_max(0.5, NCK_STREAM_SHARE / found);
     return go(self, NCK_STREAM_REFERENCE);
-}
-
-// Intervals that are proven: those that are given, and the first ones behind their seam. So the
-// next window, which begins with three of this one's points, has a curve to begin with.
-static int proven_to(const nck_stream_t *self) {
-    const int to = self->given + JOINED;
-    return to < self->clock.knots ? to : self->clock.knots;
 }
 
 // No curve of this window is within P: the last one comes to rest behind its seam instead.
@@ -263,7 +232,7 @@ static nck_status_t halt(nck_stream_t *self) {
 
 // The window has no curve that will do: another one, or the rest that the last one has.
 static nck_status_t fail(nck_stream_t *self, double found) {
-    if (self->tries < tries_of(self)) return try_again(self, found);
+    if (self->tries < NCK_STREAM_TRIES) return try_again(self, found);
     if (!self->clock.begins) return halt(self);
     self->told.missed++;
     self->commit = self->given;
@@ -273,8 +242,8 @@ static nck_status_t fail(nck_stream_t *self, double found) {
 // Hold an interval against the program.
 static nck_status_t prove(nck_stream_t *self) {
     const double miss = nck_sample_miss(self, self->at++);
-    self->miss = miss - miss != 0.0 ? LOST : nck_max(self->miss, miss); // a number, or far off
-    if (self->at < proven_to(self)) return NCK_OK;
+    self->miss = miss - miss != 0.0 ? NCK_UNLIMITED : nck_max(self->miss, miss); // no number
+    if (self->at < self->given) return NCK_OK;
     const double found = self->miss;
     self->miss = 0.0;
     if (!(found <= 1.0)) return fail(self, found);
@@ -297,7 +266,7 @@ static nck_status_t find_rest(nck_stream_t *self) {
     if (here < 1) {
         self->told.restless++;
         self->sound = 0;
-        return fail(self, FAR);
+        return fail(self, NCK_UNLIMITED);
     }
     set_knots(self, here, knot_s);
     memcpy(rest.point, &self->point[here], sizeof self->seam);
@@ -329,8 +298,8 @@ static nck_status_t begin_motion(nck_stream_t *self) {
     wish.ends = (self->clock.ends ? NCK_MOTION_FREE_END : NCK_MOTION_OPEN_END)
                | (self->clock.begins ? 0U : NCK_MOTION_INSIDE) | NCK_MOTION_COARSE;
     wish.most = self->wish.most;
-    wish.gap = PLAN_GAP;
-    wish.room = PLAN_ROOM;
+    wish.gap = self->wish.gap;
+    wish.room = NCK_ROOM;
     return nck_motion_begin(&self->work.plan.motion, &self->work.plan.work, &wish);
 }
 
@@ -356,7 +325,7 @@ static void set_node(nck_stream_t *self, int k) {
     const nck_num feed = (nck_num)nck_track_feed(&self->track, self->near, s);
     nck_num least = nck_num_max(1 / FASTEST, slowness * slowness);
     if (feed > 0) least = nck_num_max(least, square / (feed * feed));
-    const double pace = (self->told.plans > 0 ? NEAR : FRESH)
+    const double pace = NCK_START
                         * nck_timing_pace(&self->clock, &self->track, &self->near, k);
     const nck_num cap_and_b[2] = {1 / least, (nck_num)pace};
     nck_motion_node(&self->work.plan.motion, k, p1, p2, cap_and_b);
@@ -372,16 +341,16 @@ static nck_status_t set_nodes(nck_stream_t *self) {
 // What comes of the window: another round, or pieces. Where the next clock begins.
 static nck_status_t turn(nck_stream_t *self, int from) {
     const int knots = self->clock.knots;
-    const int known = knots - OPEN > from + 2 ? knots - OPEN : from + 2;
+    const int known = knots - NCK_STREAM_OPEN > from + 2 ? knots - NCK_STREAM_OPEN : from + 2;
     const int to = self->clock.ends || known > knots ? knots : known;
-    const int span[3] = {from, to, self->clock.begins && from == 0 ? 0 : (int)BLEND};
+    const int span[3] = {from, to, self->clock.begins && from == 0 ? 0 : (int)NCK_STREAM_BLEND};
     nck_timing_begin_keep(&self->clock, &self->work.list, &self->track, span);
     return go(self, NCK_STREAM_KEEP);
 }
 
 // Where the plan along the curve is its clock another round would change nothing.
 static nck_status_t compare(nck_stream_t *self) {
-    const int all = self->given + AHEAD;
+    const int all = self->given + NCK_STREAM_OPEN;
     const int to = self->clock.knots < all ? self->clock.knots : all;
     for (int k = 0; k < POINTS && self->at <= to; k++, self->at++) {
         const nck_num now = nck_timing_factor(&self->clock, &self->track, &self->near, self->at,
@@ -389,7 +358,7 @@ static nck_status_t compare(nck_stream_t *self) {
         self->off += NCK_NUM_ABS(now - 1);
     }
     if (self->at <= to) return NCK_OK;
-    self->planned = self->off <= (nck_num)STEADY * (nck_num)(to + 1);
+    self->planned = self->off <= (nck_num)NCK_GAP * (nck_num)(to + 1);
     if (self->planned) return go(self, NCK_STREAM_PROVE);
     self->round++;
     return turn(self, 0);
@@ -405,7 +374,7 @@ static nck_status_t make_motion(nck_stream_t *self) {
         self->b[k] = nck_motion_b(&self->work.plan.motion, k);
         good = good && self->b[k] >= 0 && self->b[k] < (nck_num)1e9;
     }
-    for (int k = 0; k <= self->clock.knots && !good; k++) self->b[k] = (nck_num)NEAR;
+    for (int k = 0; k <= self->clock.knots && !good; k++) self->b[k] = (nck_num)NCK_START;
     if (self->commit > 0) return go(self, NCK_STREAM_GIVE);
     self->near = self->track.tail;
     self->off = 0;
@@ -423,7 +392,7 @@ static nck_status_t begin_window(nck_stream_t *self) {
     self->commit = 0;
     self->round = 0;
     self->tries = 0;
-    self->share = SHARE;
+    self->share = NCK_STREAM_SHARE;
     self->clock.even = 0;
     return go(self, NCK_STREAM_GUESS);
 }

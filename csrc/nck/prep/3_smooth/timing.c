@@ -1,33 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Inside room 3: the clock's guess from the program's shape, and what is kept of a plan.
-#include "nck/prep/3_smooth/timing.h"
-
 #include "nck/base/real.h"                 // nck_max nck_min nck_num nck_sqrt
 #include "nck/base/root_math.h"            // nck_root_cube
+#include "nck/base/tuning.h"               // NCK_START
+#include "nck/prep/3_smooth/timing.h"
 #include "nck/prep/3_smooth/timing_math.h" // nck_timing_reach_speed …
+#include "nck/prep/3_smooth/tuning.h" // NCK_TIMING_REACH …
+
 
 #define RUNG 1.4422495703074083 // ∛3: what a rung is longer than the last one; the third from it
                                 // is 3 times as long
-#define REACH 0.06 // [s] at the feed: what bends further apart ask for the passes know, too …
-#define REACH_KNOTS 15.0 // … and so many knots
-#define USE ((nck_num)0.8)    // share of what the rungs allow: a curve is not as good everywhere
-// A knot on a line is as long as τ at its speed, or so much of the way to the line's next end.
-// Twice as much costs stiff machines 0.3 % of time, half of it soft ones a tenth: they see no stop
-// as a whole.
-#define GROWS ((nck_num)0.04)
-// … but knots grow no faster than √(so much J/v) a second: what the clock has of jerk, v(ṁ/m)², the
-// motion takes away again, to a few per cent. 0.3 costs 0.3 % of time, 0.03 wins none.
-#define SWINGS ((nck_num)0.1)
-#define TURNS ((nck_num)0.001) // … and a feed a revolution changes by no more from knot to knot
+#define USE ((nck_num)NCK_START) // of what rungs allow: a curve is not as good everywhere
 #define FAR ((nck_num)1e9) // [path mm] is beyond any path
-#define STRETCHED ((nck_num)0.6) // of the clock's speed: where knots may be as far apart they are
-#define SLOWEST ((nck_num)0.3) // the least and
-#define FASTEST ((nck_num)1.5) // most that a plan may change the clock by at once
 
 // How far a place looks about, in time at the feed [s].
-static double reach_of(const nck_timing_t *self) {
-    return nck_max(REACH, REACH_KNOTS * self->terms->tau);
-}
+static double reach_of(const nck_timing_t *self) { return NCK_TIMING_REACH * self->terms->tau; }
 
 void nck_timing_begin(nck_timing_t *self, const nck_timing_terms_t *terms) {
     self->terms = terms;
@@ -185,9 +172,9 @@ static nck_num wide_at(const nck_timing_t *self, const nck_track_t *track, uint3
     const nck_num way = (nck_num)(s - element->s);
     const nck_num length = (nck_num)element->length;
     const nck_num tau = (nck_num)terms->tau;
-    const nck_num swings = NCK_NUM_SQRT(SWINGS * terms->j_least / v);
-    const nck_num grows = nck_num_min(GROWS / tau, swings);
-    const nck_num most = TURNS * (nck_num)nck_track_even(track, *near, s) / tau;
+    const nck_num swings = NCK_NUM_SQRT(NCK_TIMING_SWINGS * terms->j_least / v);
+    const nck_num grows = nck_num_min(NCK_TIMING_GROWS / tau, swings);
+    const nck_num most = NCK_TIMING_TURNS * (nck_num)nck_track_even(track, *near, s) / tau;
     return nck_num_min(most, nck_num_max(grows * way * (1 - way / length), 0));
 }
 
@@ -268,7 +255,7 @@ static nck_num share_at(int k, int from, int blend) {
 int nck_timing_is_wide(const nck_timing_t *self, const nck_track_t *track, uint32_t *near,
                        int knot) {
     const nck_num now = speed_at(self, 4 * knot, 4 * self->knots);
-    return now > 0 && wide_at(self, track, near, self->s[4 * knot]) > STRETCHED * now;
+    return now > 0 && wide_at(self, track, near, self->s[4 * knot]) > now;
 }
 
 double nck_timing_pace(const nck_timing_t *self, const nck_track_t *track, uint32_t *near,
@@ -301,7 +288,7 @@ static void keep_place(const nck_timing_t *self, nck_num pace, nck_num share, in
     const nck_num now = speed_at(self, k, 4 * self->knots);
     const nck_num v = now * pace;
     const nck_num rate = nck_timing_rate(self->terms, v, out->wide);
-    const nck_num factor = clamp(factor_of(now, rate), SLOWEST, FASTEST);
+    const nck_num factor = nck_num_min(factor_of(now, rate), NCK_TIMING_FASTEST);
     const nck_num blended = now * (1 + (factor - 1) * share);
     const nck_num scale = rate > 0 ? blended / rate : 1;
     out->v = scale * v;

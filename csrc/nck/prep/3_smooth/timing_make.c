@@ -4,12 +4,9 @@
 #include "nck/base/real.h"                 // nck_max nck_min
 #include "nck/prep/3_smooth/timing.h"
 #include "nck/prep/3_smooth/timing_math.h" // nck_timing_reach_speed …
+#include "nck/prep/3_smooth/tuning.h" // NCK_TIMING_BLUR …
 
-#define KEEP_ASK ((nck_num)1.5) // what a kept place gives way to alone
 #define SLOW_MOST ((nck_num)1e-9) // [mm/s] of a cell that stands
-#define BLUR 0.016   // [s] of each of two means: as long as acceleration takes to change …
-#define BLUR_KNOTS 4.0 // … and so many knots
-#define MARGIN 2     // knots at the end of what is known that no window has
 #define SHORTEST (NCK_FAIR_WINDOW / 2) // knots of a window behind which the run goes on: where less
                      // is known than they last the clock goes slower
 #define LEAST 7      // knots of a window: three control points at both ends stay
@@ -72,7 +69,7 @@ static void pass_backward(nck_timing_t *self, nck_timing_list_t *list) {
     for (; self->at < to; self->at++) {
         const int k = all - self->at;
         nck_place_t *const at = &list->at[k];
-        const nck_num wish = k >= list->kept ? NCK_TIMING_ASK : KEEP_ASK;
+        const nck_num wish = k >= list->kept ? NCK_TIMING_ASK : NCK_TIMING_KEEP_ASK;
         v = nck_num_min(at->v, nck_timing_reach_speed(self->terms, wish, v, at[1].s - at->s));
         at->v = v;
     }
@@ -197,7 +194,7 @@ static void add_up(nck_timing_t *self, nck_timing_list_t *list) {
 // A mean over up to 2 `half` + 1 quarters, less where it would pass the ends.
 static void take_mean(nck_timing_t *self, nck_timing_list_t *list) {
     const nck_place_t *const sum = &list->at[kept_of(list)];
-    const double blur = nck_max(BLUR, BLUR_KNOTS * self->terms->tau);
+    const double blur = NCK_TIMING_BLUR * self->terms->tau;
     const double wide = 0.5 * blur / self->make.step + 0.5; // steps may be of next to no time
     const int half = wide < self->make.count ? (int)wide : self->make.count;
     const int all = self->make.count + 1;
@@ -250,9 +247,9 @@ static void set_window(nck_timing_t *self, const nck_timing_list_t *list, double
         if (self->knots < LEAST) self->knots = LEAST;
         more = self->knots * tau - all;
     } else {
-        self->knots = (int)nck_min(all / tau, NCK_FAIR_WINDOW + MARGIN) - MARGIN;
+        self->knots = (int)nck_min(all / tau - NCK_TIMING_MARGIN, NCK_FAIR_WINDOW);
         if (self->knots < SHORTEST) self->knots = SHORTEST;
-        more = nck_max(0.0, (SHORTEST + MARGIN) * tau - all);
+        more = nck_max(0.0, (SHORTEST + NCK_TIMING_MARGIN) * tau - all);
     }
     begin_sampling(self, list, 4 * (self->knots + 1), 0.25 * tau, more);
     go(self, NCK_TIMING_SET);

@@ -6,11 +6,9 @@
 #include "nck/base/real.h"            // nck_num_min NCK_NUM_SQRT …
 #include "nck/base/root_math.h"       // nck_root_cube
 #include "nck/prep/3_smooth/timing.h" // nck_timing_t
+#include "nck/prep/3_smooth/tuning.h" // NCK_TIMING_LEAVE NCK_TIMING_ASK
 
-#define NCK_TIMING_LEAVE 0.4 // share of the jerk that the guess leaves a rest with
 #define NCK_TIMING_REST ((nck_num)(4.5 * NCK_TIMING_LEAVE)) // v³ over J x² there
-#define NCK_TIMING_ASK ((nck_num)0.7) // share of the acceleration that the guess builds up speed
-                                      // with
 
 // Places or quarters a call: 5 000 instructions of a processor with doubles.
 enum { NCK_TIMING_SLICE = 24 };

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Inside room 3: the programmed path, and how short lines become one while they are read.
-#include "nck/prep/3_smooth/track.h"
-
-#include <string.h> // memcpy memset
-
 #include "nck/base/arc_math.h" // nck_plane_axis
 #include "nck/base/path.h" // nck_path_part nck_path_tangent_part
 #include "nck/base/real.h" // NCK_APART nck_fabs nck_max nck_min nck_sqrt
 #include "nck/base/spin_math.h" // nck_spin_…
+#include "nck/prep/3_smooth/track.h"
+#include "nck/prep/3_smooth/tuning.h" // NCK_TRACK_JOINED …
+
+#include <string.h> // memcpy memset
+
 
 // What joining may cost of P. More than the least is taken as the ring fills alone: where chords
 // are so short that it would not hold what a window has to see.
 static const double costs[NCK_TRACK_LEVELS] = {1.0 / 32.0, 1.0 / 8.0, 1.0 / 4.0, 1.0 / 2.0};
 #define EVEN 1e9 // [path mm] is beyond any path
-#define EVENS 40.0 // where a feed is even it is so by so much more a mm: knots grow there
-#define SPAN 0.5 // how long joining makes a line, in knots at the feed: nothing looks closer
 
 void nck_track_begin(nck_track_t *self, int axes, double knot_s, double spin_a) {
     self->axes = axes;
@@ -121,7 +120,7 @@ static int join(nck_track_t *self, const nck_seg_t *seg, double tolerance) {
     nck_track_element_t *const line = newest(self);
     const double length = line->length + seg->length;
     if (seg->kind != NCK_SEG_LINE || seg->rapid || self->join.tolerance != tolerance
-        || !is_same(self, line, seg) || length > SPAN * self->knot_s * seg->feed) {
+        || !is_same(self, line, seg) || length > NCK_TRACK_JOINED * self->knot_s * seg->feed) {
         return 0;
     }
     narrow(self, line);
@@ -345,7 +344,7 @@ double nck_track_even(const nck_track_t *self, uint32_t count, double s) {
     words_of(self, count, &words);
     find_turning(self, count, &words.spin, s, &there);
     const double inside = nck_max(0.0, there.flat - there.r);
-    return there.slant > 0.0 ? (there.r + (1.0 + EVENS) * inside) / there.slant : EVEN;
+    return there.slant > 0.0 ? (there.r + (1.0 + NCK_TRACK_EVENS) * inside) / there.slant : EVEN;
 }
 
 void nck_track_words(const nck_track_t *self, uint32_t count, double s, double x,

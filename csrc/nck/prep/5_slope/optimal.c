@@ -1,53 +1,27 @@
 // SPDX-License-Identifier: MIT
 // Room 5, slope: the jerk-limited planner on a clocked path.
-#include "nck/prep/5_slope/optimal.h"
-
-#include <string.h> // memset
-
 #include "nck/base/real.h"                  // nck_max nck_sqrt
+#include "nck/base/tuning.h"                // NCK_ITERATIONS …
+#include "nck/prep/5_slope/optimal.h"
 #include "nck/prep/5_slope/optimal_draw.h"  // nck_optimal_draw
 #include "nck/prep/5_slope/optimal_nodes.h" // nck_optimal_fill …
 #include "nck/prep/5_slope/optimal_pace.h"  // nck_optimal_work …
+#include "nck/prep/5_slope/tuning.h" // NCK_OPTIMAL_SLOWER_PRICE …
+
+#include <string.h> // memset
+
 
 enum { PHASE_LAY = 0, PHASE_FILL, PHASE_SOLVE, PHASE_DRAW };
 
 enum {
     INTERVALS_MOST = NCK_MOTION_NODES - 1,
-    FURTHER = 68, // intervals of what follows that what becomes final has to know …
     HALF = INTERVALS_MOST / 2,
-    // … so many become final before the next plan: of a short one half …
-    COMMIT_MOST = INTERVALS_MOST - FURTHER > HALF ? INTERVALS_MOST - FURTHER : HALF,
-    COMMIT_LEAST = INTERVALS_MOST / 8, // … at least so many: every plan costs as much …
-    COMMIT_OFF = 4, // … and none of the brake for its window's end, nor of what leads to it
-    ITERATIONS = 60, // of one plan; windows of random polygons take 14 to 44
-    ITERATIONS_SLOWED = 100 // … while it slows down
+    // So many become final before the next plan: of a short one half …
+    COMMIT_MOST = INTERVALS_MOST - NCK_FURTHER > HALF ? INTERVALS_MOST - NCK_FURTHER : HALF,
+    COMMIT_LEAST = INTERVALS_MOST / 8 // … at least so many: every plan costs as much
 };
-// Of the time, what a plan may be away from the fastest: 20 iterations; 0.05 saves two of them and
-// costs 0.4 %.
-#define GAP 0.02
-// What a broken row's slack begins with: far off, and next to a plan that only has to be slowed.
-#define ROOM 0.3
-#define ROOM_SLOWED 0.005
-// Price of being faster than a lowered cap, in halves of the time that this wins by itself: more
-// than all the way before it wins, which then is slower, too. Of 133 overrides 9 in 10 take 1.29 of
-// a brake along a line or less; with 2 entries of slower feeds are passed too fast, with 25 a plan
-// needs 40 iterations in place of 30.
-#define SLOWER_PRICE 5.0
-// A plan has slowed down once v² is less than so many times what it is slowed down to.
-#define SLOWER_DONE 1.5
-// … or where its next v² is more than that share of the one before.
-#define SLOWED 0.9
-// Nodes within which that is looked for: a brake takes about so many.
-enum { SLOWER_NODES = 48 };
-
-// Of what it is asked for, the most that a plan may take of a limit anywhere: with what its cells
-// are off it (CELL_SHARE) that is all of the limit. Beyond it the plan before goes on.
-#define SHARE_MOST 1.001
-// A plan from rest that has to be slowed down by more is sought again from there, so many times.
-#define AGAIN_BELOW 0.98
-enum { AGAIN_MOST = 2 };
-#define SHARE_LOST 1e6 // what takes more is no plan …
-#define TIME_LOST 1e6  // … nor is what takes longer [s], or no number
+// What takes more of a limit is no plan, nor is what takes longer [s], or no number.
+#define LOST 1e6
 
 void nck_optimal_init(nck_optimal_t *self, const nck_terms_t *terms, nck_link_t *link,
                       const nck_plan_t *now, nck_plan_t *next, nck_motion_t *motion) {
@@ -75,7 +49,6 @@ void nck_optimal_begin(nck_optimal_t *self, const nck_job_t *job) {
     self->next->complete = 0;
     self->next->held = NCK_HELD_NOT;
     self->phase = PHASE_LAY;
-    self->again = 0;
     work->begin = self->next->begin;
     work->first = self->next->piece;
     work->n = 0;
@@ -90,10 +63,10 @@ void nck_optimal_begin(nck_optimal_t *self, const nck_job_t *job) {
 static void look_slower(nck_optimal_t *self, const nck_pieces_t *pieces) {
     const nck_optimal_pace_t *const now = nck_optimal_now(self);
     const nck_optimal_pace_t *const work = nck_optimal_work(self);
-    const uint32_t off = now->ends ? 0 : COMMIT_OFF;
+    const uint32_t off = now->ends ? 0 : NCK_OPTIMAL_COMMIT_OFF;
     double share = 1.0;
     self->vv_most = 0.0;
-    for (uint32_t k = 1; nck_optimal_goes_on(self) && k < SLOWER_NODES; k++) {
+    for (uint32_t k = 1; nck_optimal_goes_on(self) && k < NCK_OPTIMAL_SLOWER_NODES; k++) {
         const uint32_t at = work->first - now->first + k;
         const nck_node_t *const piece = nck_plan_piece(pieces, work->first + k);
         if (at + off > now->top || !piece) break;
@@ -139,14 +112,12 @@ static nck_status_t set_wish(nck_optimal_t *self) {
     asked.nodes = (int)work->n + 1;
     asked.fixed = nck_optimal_goes_on(self) ? (int)NCK_OPTIMAL_GIVEN : 0;
     asked.ends = (work->ends ? NCK_MOTION_FREE_END : 0u);
-    asked.most = ITERATIONS;
-    asked.gap = GAP;
-    asked.room = ROOM;
+    asked.most = NCK_ITERATIONS;
+    asked.gap = NCK_GAP;
+    asked.room = NCK_ROOM;
     if (nck_optimal_slows(self)) {
         asked.ends |= NCK_MOTION_SOFT | (work->ends ? 0u : NCK_MOTION_FIRM_END);
-        asked.price = SLOWER_PRICE;
-        asked.room = ROOM_SLOWED;
-        asked.most = ITERATIONS_SLOWED;
+        asked.price = NCK_OPTIMAL_SLOWER_PRICE;
     }
     nck_optimal_set_limits(self, &asked);
     return nck_motion_begin(self->motion, NCK_OPTIMAL_AT(nck_link_spare(self->link), motion),
@@ -180,9 +151,9 @@ static nck_status_t fill_nodes(nck_optimal_t *self, const nck_pieces_t *pieces) 
 static double factor_of(const nck_optimal_t *self) {
     nck_motion_told_t told;
     nck_motion_told(self->motion, &told);
-    if (!(told.time < TIME_LOST)) return 0.0;
-    if (told.share <= SHARE_MOST) return 1.0;
-    return nck_optimal_goes_on(self) || !(told.share < SHARE_LOST) ? 0.0 : 1.0 / told.share;
+    if (!(told.time < LOST)) return 0.0;
+    if (told.share <= 1.0 + NCK_MET) return 1.0;
+    return nck_optimal_goes_on(self) || !(told.share < LOST) ? 0.0 : 1.0 / told.share;
 }
 
 // A plan that goes on creeps: over what the plan of now knows it takes longer than that one and,
@@ -219,15 +190,13 @@ static uint32_t find_top(const nck_optimal_pace_t *work, uint32_t least) {
     return work->n;
 }
 
-// Where a plan has slowed down: to what it is raised to at least, or as far as it does.
+// Where a plan has slowed down, as far as it does.
 static uint32_t slowed_at(const nck_optimal_t *self, const nck_optimal_pace_t *work,
                           uint32_t step) {
     const int least = self->slower <= NCK_OPTIMAL_SLOWER_LEAST;
     for (uint32_t k = least ? NCK_OPTIMAL_GIVEN : COMMIT_LEAST; k < step; k++) {
         const double here = (double)work->along[k] * work->b[k];
-        const double behind = (double)work->along[k + 1] * work->b[k + 1];
-        const int low = !least || here < SLOWER_DONE * nck_optimal_floor(self, k);
-        if (low && behind > SLOWED * here) return k;
+        if ((double)work->along[k + 1] * work->b[k + 1] > here) return k;
     }
     return step;
 }
@@ -236,20 +205,12 @@ static uint32_t slowed_at(const nck_optimal_t *self, const nck_optimal_pace_t *w
 // slows down is followed where it is slow: it has not slowed down to what is asked for, or it has
 // paid for being faster further on.
 static uint32_t commit_of(const nck_optimal_t *self, const nck_optimal_pace_t *work) {
-    const uint32_t off = work->ends ? 0 : COMMIT_OFF;
+    const uint32_t off = work->ends ? 0 : NCK_OPTIMAL_COMMIT_OFF;
     uint32_t step = work->top > off + COMMIT_LEAST ? work->top - off : COMMIT_LEAST;
     if (step > COMMIT_MOST) step = COMMIT_MOST;
     if (nck_optimal_slows(self)) step = slowed_at(self, work, step);
     if (step + NCK_OPTIMAL_GIVEN <= work->n) return step;
     return work->n > NCK_OPTIMAL_GIVEN ? work->n - NCK_OPTIMAL_GIVEN : 1;
-}
-
-// A plan from rest that has found no end is within its limits once it is slowed down: from there.
-static nck_status_t solve_again(nck_optimal_t *self) {
-    self->again++;
-    self->i = 0;
-    self->phase = PHASE_FILL;
-    return set_wish(self);
 }
 
 static nck_status_t solve_motion(nck_optimal_t *self, const nck_pieces_t *pieces) {
@@ -261,7 +222,6 @@ static nck_status_t solve_motion(nck_optimal_t *self, const nck_pieces_t *pieces
     for (uint32_t k = 0; k <= work->n; k++) {
         work->b[k] = factor * (double)nck_motion_b(self->motion, (int)k);
     }
-    if (factor < AGAIN_BELOW && self->again < AGAIN_MOST) return solve_again(self);
     const nck_optimal_pace_t *const now = nck_optimal_now(self);
     for (uint32_t k = 0; nck_optimal_goes_on(self) && k < NCK_OPTIMAL_GIVEN; k++) {
         work->b[k] = now->b[work->first - now->first + k]; // to the bit

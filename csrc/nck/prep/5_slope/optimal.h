@@ -52,7 +52,6 @@ typedef struct nck_optimal {
     uint32_t cells;        // drawn so far
     uint32_t seam;         // the cell that the next plan begins with …
     uint32_t at_rest;      // 1: the path rests where the window begins
-    uint32_t again;        // plans of this window that have been begun from the last one's
     uint32_t takes_over;   // … the second half of this interval
     double j_least;        // of any axis' jerk [mm/s³]
     double slower;         // the share that caps are lowered to of the speed now

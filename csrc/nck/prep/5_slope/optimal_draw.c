@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Inside room 5: the motion along a clocked path becomes cells.
+#include "nck/base/real.h" // nck_fabs nck_min nck_max nck_sqrt
 #include "nck/prep/5_slope/optimal_draw.h"
+#include "nck/prep/5_slope/optimal_pace.h" // nck_optimal_work …
+#include "nck/prep/5_slope/tuning.h" // NCK_OPTIMAL_PARTS
 
 #include <string.h> // memset
 
-#include "nck/base/real.h" // nck_fabs nck_min nck_max nck_sqrt
-#include "nck/prep/5_slope/optimal_pace.h" // nck_optimal_work …
-
-// Cells of half an interval: that many where a slower feed begins. With 4 a jerk is passed by 1.5 %
-// in the worst of 600 programs whose overrides come down, with 8 by 0.4 %.
-enum { PARTS_MOST = 16 };
-// Of an axis' jerk, what a cell may be off its plan by.
-#define CELL_SHARE 0.003
 
 // Acceleration b′/2 in the middle of interval k. Beyond the ends b is even, as in base/motion.h.
 static double middle_accel(const nck_optimal_pace_t *pace, double knot, uint32_t k) {
@@ -106,7 +101,7 @@ static void put_cell(nck_optimal_t *self, const nck_node_t *piece, const portion
 // sample of jerk feels it whole.
 static int parts_of(nck_optimal_t *self, const nck_node_t *piece, const portion_t *on) {
     const double scale = piece->length / self->terms->knot_s;
-    const double most = CELL_SHARE * self->j_least * self->terms->machine->period_s;
+    const double most = NCK_OPTIMAL_CELL_SHARE * self->j_least * self->terms->machine->period_s;
     const double v0 = nck_sqrt(on->b0);
     const double v1 = nck_sqrt(on->b1);
     const double turn = nck_fabs((on->a1 - on->a0) * (v1 - v0)) * scale;
@@ -114,7 +109,7 @@ static int parts_of(nck_optimal_t *self, const nck_node_t *piece, const portion_
     // Each half that is yet to come has one, and this interval may have two of the halves.
     const int left = 2 * (int)(nck_optimal_work(self)->n - self->i) + 1;
     const int room = (int)NCK_TAIL_MAX - (int)self->cells - left;
-    const int parts_most = room < PARTS_MOST ? room : (int)PARTS_MOST;
+    const int parts_most = room < NCK_OPTIMAL_PARTS ? room : (int)NCK_OPTIMAL_PARTS;
     int parts = 1;
     while (parts < parts_most && off > most * (double)(parts * parts)) parts++;
     return parts;

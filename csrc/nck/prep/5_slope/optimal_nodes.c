@@ -7,26 +7,18 @@
 #include "nck/base/path.h" // nck_path_ways nck_path_way_at
 #include "nck/base/real.h" // nck_fabs nck_min nck_max nck_sqrt nck_num
 #include "nck/base/spin_math.h" // nck_spin_…
+#include "nck/base/tuning.h" // NCK_MET NCK_START
 #include "nck/prep/5_slope/optimal_pace.h" // nck_optimal_work …
 
-// Of the clock's pace, what a plan begins to be sought with; and of the last plan's, as far as
-// there is one: a little inside its limits.
-#define GUESS 0.8
-#define AGAIN 0.98
-// Of an axis' acceleration, what the guess brakes with for a window's end. Too slow a guess is
-// dear: a Newton step raises b by two thirds at most, and rows stop it one after another.
-#define BRAKE 0.7
-// Of its cap, b one node before that end.
-#define LAST 0.5
 #define PACE_LEAST 1e-8
 // Slower than that by its clock the path rests [mm/s].
 #define REST_LEAST 1e-6
 #define PACE_MOST 1e6
-// Of an axis' limits, what a plan is asked to keep to; what passes its rows (0.002 of time is what
-// 0.6 % of jerk cost) stays below the limit.
-#define SHARE_ASKED 0.996
-// The same of speed, which it passes by less.
-#define SHARE_SPEED 0.999
+// Of an axis' limits, what a plan is asked to keep to: with what it may take more of them, and with
+// what its cells are off it, that is all of them (0.002 of time is what 0.6 % of jerk cost).
+#define SHARE_ASKED (SHARE_SPEED - NCK_OPTIMAL_CELL_SHARE)
+// The same of speed, of which cells take no more.
+#define SHARE_SPEED (1.0 - NCK_MET)
 
 // A spline by the clock: differences of its points, and what a derivative by its own parameter is
 // multiplied by to be one by the clock [1/s].
@@ -265,7 +257,7 @@ static int is_near(const nck_optimal_t *self, const nck_optimal_pace_t *now, uin
 // by the clock. Of `most` at most.
 static double brake_guess(const nck_optimal_t *self, uint32_t off, double most,
                           const nck_num *first) {
-    const double gained = 2.0 * self->terms->knot_s * BRAKE * (double)off;
+    const double gained = 2.0 * self->terms->knot_s * NCK_START * (double)off;
     for (int x = 0; x < self->terms->axes; x++) {
         const double a = self->terms->machine->axis[x].a_max;
         const double speed = nck_fabs((double)first[x]);
@@ -280,14 +272,13 @@ static double pace_guess(nck_optimal_t *self, uint32_t k, double most, const nck
     const nck_optimal_pace_t *const work = nck_optimal_work(self);
     const nck_optimal_pace_t *const now = nck_optimal_now(self);
     const uint32_t at = work->first - now->first + k;
-    if (self->again > 0) return work->b[k];
     if (nck_optimal_goes_on(self) && k < NCK_OPTIMAL_GIVEN) return now->b[at];
     if (k == work->n && !work->ends) return 0.0;
-    double b = GUESS * nck_min(most, 1.0);
+    double b = NCK_START * nck_min(most, 1.0);
     if (k > 0) b = nck_min(b, reached(self, k));
     if (!work->ends) b = brake_guess(self, work->n - k - 1, b, first);
-    if (!work->ends && k + 1 == work->n) b = LAST * most;
-    if (is_near(self, now, at)) b = AGAIN * now->b[at];
+    if (!work->ends && k + 1 == work->n) b = NCK_START * most;
+    if (is_near(self, now, at)) b = NCK_START * now->b[at];
     if (nck_optimal_slows(self)) b = now->b[at];
     return nck_max(b, PACE_LEAST);
 }

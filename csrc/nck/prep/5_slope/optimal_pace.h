@@ -4,7 +4,9 @@
 #define NCK_PREP_OPTIMAL_PACE_H
 
 #include "nck/base/real.h"            // NCK_ONCE
+#include "nck/base/tuning.h"           // NCK_MET
 #include "nck/prep/5_slope/optimal.h" // nck_optimal_t
+#include "nck/prep/5_slope/tuning.h" // NCK_OPTIMAL_CELL_SHARE …
 
 // Sizes.
 enum {
@@ -12,14 +14,6 @@ enum {
     NCK_OPTIMAL_FILL = 4, // nodes filled in one bounded step
     NCK_OPTIMAL_DRAW = 8  // cells drawn, and what is left of an interval: up to 32
 };
-// A plan that keeps within so much of the caps needs no price.
-#define NCK_OPTIMAL_NOT_SLOWER 0.999
-
-// Of the speed now, what one plan is slowed down to at least: 25 to 40 iterations; the next one
-// goes on from there, once that is reached. With 0.05 an override of 1 % takes up to 7 times as
-// long as a brake along a line, with 0.02 up to 3.4 times; with 0.01 plans find no end in time.
-#define NCK_OPTIMAL_SLOWER_LEAST 0.02
-
 // The pace of the plan of now, and of the one in work. Cost: constant.
 static inline nck_optimal_pace_t *nck_optimal_now(nck_optimal_t *self) {
     return &self->pace[self->drawn];
@@ -33,9 +27,10 @@ static inline int nck_optimal_goes_on(const nck_optimal_t *self) {
     return self->job.kind != NCK_JOB_START;
 }
 
-// 1 if caps have come down below what the plan of now is about to do. Cost: constant.
+// 1 if caps have come down below what the plan of now is about to do: one that keeps within what a
+// plan may be off needs no price. Cost: constant.
 static inline int nck_optimal_slows(const nck_optimal_t *self) {
-    return self->slower < NCK_OPTIMAL_NOT_SLOWER;
+    return self->slower < 1.0 - NCK_MET;
 }
 
 // v² that a plan slows down to at least at a node, whatever is wanted there: that share of what the

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Room 5, slope: plan after plan, and what the operator wants of them.
+#include "nck/base/fence.h"           // nck_fence_store
+#include "nck/base/real.h"            // nck_max
+#include "nck/prep/5_slope/planner.h" // nck_planner_…
 #include "nck/prep/5_slope/slope.h"
+#include "nck/prep/5_slope/tuning.h" // NCK_SLOPE_NO_MOTION
 
 #include <assert.h> // assert
 #include <stddef.h> // offsetof
 #include <string.h> // memset
 
-#include "nck/base/fence.h"           // nck_fence_store
-#include "nck/base/real.h"            // nck_max
-#include "nck/prep/5_slope/planner.h" // nck_planner_…
 
 enum { PHASE_IDLE = 0, PHASE_MAKE, PHASE_INSTALL };
 
@@ -25,10 +26,6 @@ enum { PHASE_IDLE = 0, PHASE_MAKE, PHASE_INSTALL };
 #define PATIENCE 4
 // Cells that pass until another plan is tried where none joined: time enough to make it.
 #define NO_WAY (1 + (NCK_PROFILE > 128 ? NCK_PROFILE / 16 : 8))
-// The same for a brake, which is sought from cell to cell; and the cells that the last try took.
-enum { NO_BRAKE = 4 };
-// The same by optimisation: some three intervals, so that the window has most of its way left.
-enum { NO_MOTION = 8 };
 
 void nck_slope_init(nck_slope_t *self, const nck_terms_t *terms, nck_link_t *link) {
     const nck_machine_t *const machine = terms->machine;
@@ -277,8 +274,8 @@ static void give_up(nck_slope_t *self, const nck_pieces_t *pieces) {
     self->awaits_tail = self->hurried; // a rest that nobody asked for is told as starvation
     if (self->hurried) return;
     self->anew = 1;
-    self->now.commit += brakes     ? NO_BRAKE + (passed & NCK_LINK_COUNT_MASK)
-                        : is_short ? (uint32_t)NO_MOTION
+    self->now.commit += brakes     ? NCK_SLOPE_NO_MOTION + (passed & NCK_LINK_COUNT_MASK)
+                        : is_short ? (uint32_t)NCK_SLOPE_NO_MOTION
                                    : (uint32_t)NO_WAY;
     self->now.commit = nck_planner_seam(self, self->now.commit);
     if (self->now.commit >= self->now.n) keep_plan(self, pieces, held);

@@ -1,26 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Room 5, slope: what its velocity profile means to the other rooms.
-#include "nck/prep/5_slope/slope.h"
-
 #include "nck/base/limits.h"              // NCK_FILTER_TAPS
 #include "nck/base/real.h"                // nck_max nck_min
 #include "nck/base/root_math.h"           // nck_root_cube
 #include "nck/prep/5_slope/ladder_math.h" // nck_ladder_raise NCK_LADDER_STRETCH
+#include "nck/prep/5_slope/slope.h"
+#include "nck/prep/5_slope/tuning.h" // NCK_KNOT_SHARE …
 
-// Knots of a clocked path: so much of (P/J)^(1/3), which is what a corner within P takes, for this
-// P [mm] and the highest J; between these [s].
-#define KNOT_SHARE 0.4
-#define KNOT_TOLERANCE 0.01
-// … and where they are more of it for a smaller P, no curve is sought: corners are rested at.
-#define KNOT_SHARE_MOST 1.2
-#define KNOT_LEAST 0.00025
-#define KNOT_MOST 0.05
-// … but a window lasts so many times as long as it takes to stop, since a plan sees two windows at
-// most and gives a part. Knots are raised by so much at most.
-#define KNOT_STOPS 3.76
-#define KNOT_RAISE 1.75
-// Where nothing is near a knot may take that part of the time that it takes to stop.
-#define KNOT_PARTS 8.0
+
 #define FILTERS_LEAST 2.0 // that a ramp lasts
 
 // Axes from X on up to the last one that the machine has.
@@ -84,14 +71,13 @@ static void set_knot(const nck_machine_t *machine, uint8_t axes, nck_terms_t *te
         a = nck_max(a, machine->axis[x].a_max);
         j = nck_max(j, machine->axis[x].j_max);
     }
-    const double by_jerk = nck_root_cube(KNOT_TOLERANCE / j);
-    const double corner = KNOT_SHARE * nck_max(by_jerk, nck_sqrt(KNOT_TOLERANCE / a));
-    const double wanted = nck_max(KNOT_LEAST, nck_min(corner, KNOT_MOST));
-    const double spread = KNOT_STOPS * stop / NCK_CLOCKED_WINDOW;
-    const double knot = nck_max(wanted, nck_min(spread, KNOT_RAISE * wanted));
-    const double share = knot / KNOT_SHARE_MOST;
+    const double by_jerk = nck_root_cube(NCK_KNOT_TOLERANCE / j);
+    const double wanted = NCK_KNOT_SHARE * nck_max(by_jerk, nck_sqrt(NCK_KNOT_TOLERANCE / a));
+    const double spread = NCK_KNOT_STOPS * stop / NCK_CLOCKED_WINDOW;
+    const double knot = nck_max(wanted, nck_min(spread, NCK_KNOT_RAISE * wanted));
+    const double share = knot / NCK_KNOT_SHARE_MOST;
     terms_out->knot_s = knot;
-    terms_out->knots_most = nck_max(1.0, stop / (KNOT_PARTS * knot));
+    terms_out->knots_most = nck_max(1.0, stop / (NCK_KNOT_PARTS * knot));
     terms_out->knot_p = nck_min(j * share, a) * share * share;
 }
 
