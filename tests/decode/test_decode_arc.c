@@ -6,7 +6,7 @@
 
 #include "check.h"
 #include "decode_check.h"
-#include "nck/base/arc_math.h" // nck_arc_passes
+#include "nck/base/arc_math.h" // nck_arc_bulges
 
 static decode_case_t self;
 static const double pi = 3.14159265358979323846;
@@ -156,18 +156,19 @@ static void the_whole_sweep_must_be_in_the_travel(check_t *check) {
 }
 
 // Sampling decides where a random arc really goes; the check must agree with it.
-static void passing_a_direction_agrees_with_sampling(check_t *check) {
-    static const double way[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+static void where_an_arc_turns_back_agrees_with_sampling(check_t *check) {
     int wrong = 0;
     for (int k = 0; k < 3000; k++) {
         const double begin = 0.01 + k * 0.7548776662, sweep = 0.02 + fmod(k * 0.5698402910, 6.24);
         const double a[2] = {cos(begin), sin(begin)};
         const double b[2] = {cos(begin + sweep), sin(begin + sweep)};
-        for (int q = 0; q < 4; q++) {
+        for (unsigned q = 0; q < 4; q++) {
             const double ahead = fmod(q * pi / 2 - begin + 4000 * pi, 2 * pi);
             if (fabs(ahead - sweep) < 1e-6 || ahead < 1e-6 || ahead > 2 * pi - 1e-6) continue;
-            wrong += nck_arc_passes(a, b, way[q]) != (ahead < sweep);
+            wrong += (nck_arc_bulges(a, b, sweep) >> q & 1u) != (ahead < sweep);
+            wrong += (nck_arc_bulges(b, a, -sweep) >> q & 1u) != (ahead < sweep);
         }
+        wrong += nck_arc_bulges(a, a, k % 2 ? 2 * pi : -2 * pi) != 15u;
     }
     CHECK_INT(check, wrong, 0);
 }
@@ -227,7 +228,7 @@ int main(void) {
     CHECK_RUN(&check, mistakes_of_arcs_are_told);
     CHECK_RUN(&check, radii_may_differ_within_the_rule);
     CHECK_RUN(&check, the_whole_sweep_must_be_in_the_travel);
-    CHECK_RUN(&check, passing_a_direction_agrees_with_sampling);
+    CHECK_RUN(&check, where_an_arc_turns_back_agrees_with_sampling);
     CHECK_RUN(&check, almost_closed_circles_stay_where_they_are);
     CHECK_RUN(&check, random_arcs_in_four_decimals_end_on_their_targets);
     return check_end(&check);

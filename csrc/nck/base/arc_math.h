@@ -94,16 +94,29 @@ static inline void nck_arc_point(nck_real cu, nck_real cv, nck_real rho, nck_rea
     point_out[1] = cv - scale * (cu * sin_phi + cv * cos_phi);
 }
 
-// Does an anticlockwise arc from the direction a to the direction b pass the direction q? (all from
-// the centre)
-//  short way (a × b ≥ 0): q is left of a and right of b;
-//  long way: q is not strictly between b and a.
-// Half turns with a × b = 0 count as the short way.
-static inline int nck_arc_passes(const nck_real *a, const nck_real *b, const nck_real *q) {
-    const nck_real from_a = a[0] * q[1] - a[1] * q[0];
-    const nck_real to_b = q[0] * b[1] - q[1] * b[0];
-    if (a[0] * b[1] - a[1] * b[0] >= 0.0) return from_a >= 0.0 && to_b >= 0.0;
-    return from_a >= 0.0 || to_b >= 0.0;
+// Which of +u +v −u −v, bits 0 … 3, are left of a direction or along it.
+static inline unsigned nck_arc_left(nck_real u, nck_real v) {
+    unsigned left = 0;
+    if (v <= 0.0) left |= 1u;
+    if (u >= 0.0) left |= 2u;
+    if (v >= 0.0) left |= 4u;
+    if (u <= 0.0) left |= 8u;
+    return left;
+}
+
+// Which of these an arc passes: there it turns back along an axis, a radius from the centre.
+// from, to: its ends, from the centre. Anticlockwise from a to b:
+//  short way (a × b ≥ 0): what is left of a and right of b;
+//  long way: what is not strictly between b and a.
+// Half turns with a × b = 0 count as the short way. So near to a turn as 1e-9 rad the ends do not
+// tell it from none.
+static inline unsigned nck_arc_bulges(NCK_IN nck_real *from, NCK_IN nck_real *to, nck_real sweep) {
+    NCK_IN nck_real *const a = sweep > 0.0 ? from : to;
+    NCK_IN nck_real *const b = sweep > 0.0 ? to : from;
+    const unsigned left = nck_arc_left(a[0], a[1]);
+    const unsigned right = nck_arc_left(-b[0], -b[1]);
+    if (nck_fabs(sweep) >= 2.0 * NCK_PI - 1e-9) return 15u;
+    return nck_arc_outer(a, b) < 0.0 ? left | right : left & right;
 }
 
 #endif

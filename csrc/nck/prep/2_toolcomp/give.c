@@ -26,22 +26,6 @@ static nck_status_t check_place(nck_toolcomp_t *self, const nck_block_t *block, 
     return status;
 }
 
-// An arc of half a turn at most reaches its circle's end in the direction of an axis only if it
-// passes there.
-static nck_status_t check_bulge(nck_toolcomp_t *self, const nck_block_t *block, const double *from,
-                                const double *to, double radius) {
-    const int anticlockwise = block->sweep_rad > 0.0;
-    for (unsigned k = 0; k < 4; k++) {
-        const double way = k < 2 ? 1.0 : -1.0;
-        const double arm[2] = {k % 2 == 0 ? way : 0.0, k % 2 == 1 ? way : 0.0};
-        if (!nck_arc_passes(anticlockwise ? from : to, anticlockwise ? to : from, arm)) continue;
-        const double place = (block->centre_mm[k % 2] + way * radius) * 1e6;
-        const nck_status_t status = check_place(self, block, k % 2, (int64_t)nck_floor(place));
-        if (status != NCK_OK) return status;
-    }
-    return NCK_OK;
-}
-
 // ---- lines and arcs
 
 // An arc of half a turn at most, through both ends as they are rounded, about the point nearest to
@@ -67,7 +51,15 @@ static nck_status_t bend(nck_toolcomp_t *self, const nck_shape_t *shape, nck_blo
         to[k] = d[k] - c[k];
         from[k] = -c[k];
     }
-    return check_bulge(self, out, from, to, nck_arc_norm(c[0], c[1]));
+    const unsigned bulges = nck_arc_bulges(from, to, out->sweep_rad);
+    const double radius = nck_arc_norm(c[0], c[1]);
+    nck_status_t status = NCK_OK;
+    for (unsigned k = 0; k < 4 && status == NCK_OK; k++) {
+        if (!(bulges >> k & 1u)) continue;
+        const double place = (out->centre_mm[k % 2] + (k < 2 ? radius : -radius)) * 1e6;
+        status = check_place(self, out, k % 2, (int64_t)nck_floor(place));
+    }
+    return status;
 }
 
 // An arc about a corner has the feed of the contour behind it: of a rapid, the largest.

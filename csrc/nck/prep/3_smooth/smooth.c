@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Room 3, smooth: blocks in, segs and outputs out.
-#include "nck/base/arc_math.h"             // nck_plane_axis
+#include "nck/base/arc_math.h"             // nck_arc_bulges nck_plane_axis
 #include "nck/base/budget.h"               // NCK_TOLERANCE_MIN
 #include "nck/base/real.h" // nck_real_of
 #include "nck/prep/3_smooth/divide.h"      // nck_divide_…
@@ -12,9 +12,6 @@
 #include <assert.h> // assert
 #include <stddef.h> // offsetof
 #include <string.h> // memcpy memset
-
-
-#define WHOLE (2.0 * NCK_PI - 1e-9) // a turn
 
 void nck_smooth_init(nck_smooth_t *self, const nck_terms_t *terms) {
     const nck_machine_t *const machine = terms->machine;
@@ -82,14 +79,13 @@ static double reach_of(const nck_seg_t *seg, int x, double sign) {
     const double ends = nck_max(sign * seg->start[x], sign * seg->end[x]);
     if (!nck_path_turns(seg, x)) return ends;
     const int u = arc->axis_u, v = arc->axis_v;
-    const double centre[2] = {arc->centre_u, arc->centre_v};
-    const double way[2] = {x == u ? sign : 0.0, x == v ? sign : 0.0};
-    const double *const from = arc->sweep > 0.0 ? seg->start : seg->end;
-    const double *const to = arc->sweep > 0.0 ? seg->end : seg->start;
-    const double a[2] = {from[u] - centre[0], from[v] - centre[1]};
-    const double b[2] = {to[u] - centre[0], to[v] - centre[1]};
-    if (nck_fabs(arc->sweep) < WHOLE && !nck_arc_passes(a, b, way)) return ends;
-    return sign * centre[x == v] + nck_arc_norm(a[0], a[1]);
+    const double from[2] = {seg->start[u] - arc->centre_u, seg->start[v] - arc->centre_v};
+    const double to[2] = {seg->end[u] - arc->centre_u, seg->end[v] - arc->centre_v};
+    int k = 0;
+    if (x == v) k = 1;
+    if (sign < 0.0) k += 2;
+    if (!(nck_arc_bulges(from, to, arc->sweep) >> k & 1u)) return ends;
+    return sign * (x == v ? arc->centre_v : arc->centre_u) + nck_arc_norm(from[0], from[1]);
 }
 
 // No axis that the move moves comes nearer to an end of its travel than a curve may stray. What
@@ -97,11 +93,11 @@ static double reach_of(const nck_seg_t *seg, int x, double sign) {
 static int has_room(const nck_smooth_t *self, const nck_seg_t *seg, double stray) {
     const nck_machine_t *const machine = self->terms->machine;
     for (int x = 0; x < self->terms->axes && !machine->roams; x++) {
+        if (!(nck_fabs(seg->end[x] - seg->start[x]) > 0.0 || nck_path_turns(seg, x))) continue;
         const double counts = nck_machine_counts(machine, x);
         const double low = nck_real_of(machine->axis[x].min_nm) / counts + stray;
         const double high = nck_real_of(machine->axis[x].max_nm) / counts - stray;
-        const int moves = nck_fabs(seg->end[x] - seg->start[x]) > 0.0 || nck_path_turns(seg, x);
-        if (moves && (reach_of(seg, x, 1.0) > high || -reach_of(seg, x, -1.0) < low)) return 0;
+        if (reach_of(seg, x, 1.0) > high || -reach_of(seg, x, -1.0) < low) return 0;
     }
     return 1;
 }

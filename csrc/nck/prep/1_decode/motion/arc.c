@@ -7,7 +7,6 @@
 #include "nck/base/arc_math.h" // nck_arc_sweep …
 #include "nck/base/real.h" // nck_mm_of nck_nm_of nck_rounded …
 
-#include <stddef.h> // NULL
 #include <string.h> // memcpy memset
 
 // An arc on its way to a block. Points in the plane are in mm, relative to the start.
@@ -56,26 +55,8 @@ static nck_status_t read_length(nck_decode_t *self, char letter, int64_t *value_
     return nck_has_word(self, letter) ? nck_decode_length_word(self, letter, value_out) : NCK_OK;
 }
 
-// The furthest points of a circle within its sweep must be in the travel; its ends are checked
-// elsewhere. a, b: from the centre to start and end, anticlockwise. centre_nm, radius_nm: in the
-// machine.
-static nck_status_t check_bulge(nck_decode_t *self, const course_t *course, const double *a,
-                                const double *b, const double *centre_nm) {
-    const double radius_nm = nck_arc_norm(a[0], a[1]) * 1e6;
-    for (unsigned k = 0; k < 4; k++) {
-        const unsigned axis = k % 2 == 0 ? course->u : course->v;
-        const double sign = k < 2 ? 1.0 : -1.0;
-        const double way[2] = {k % 2 == 0 ? sign : 0.0, k % 2 == 0 ? 0.0 : sign};
-        if (b != NULL && !nck_arc_passes(a, b, way)) continue;
-        const double far_nm = centre_nm[k % 2] + sign * radius_nm;
-        const nck_status_t status = nck_decode_travel(self, axis, nck_rounded(far_nm));
-        if (status != NCK_OK) return status;
-    }
-    return NCK_OK;
-}
-
 // The block of an arc from from_nm to to_nm; centre: from the start [mm]; sweep: more turns
-// included.
+// included. Where it turns back must be in the travel, too; its ends are checked elsewhere.
 static nck_status_t fill_block(nck_decode_t *self, const course_t *course, const int64_t *from_nm,
                                const int64_t *to_nm, double sweep, nck_block_t *out) {
     const unsigned axes[2] = {course->u, course->v};
@@ -91,9 +72,15 @@ static nck_status_t fill_block(nck_decode_t *self, const course_t *course, const
     out->sweep_rad = sweep;
     const double from[2] = {-course->c[0], -course->c[1]};
     const double to[2] = {course->d[0] - course->c[0], course->d[1] - course->c[1]};
-    const int whole = nck_fabs(sweep) >= 2.0 * NCK_PI;
-    if (sweep > 0.0) return check_bulge(self, course, from, whole ? NULL : to, centre_nm);
-    return check_bulge(self, course, to, whole ? NULL : from, centre_nm);
+    const unsigned bulges = nck_arc_bulges(from, to, sweep);
+    const double radius_nm = nck_arc_norm(from[0], from[1]) * 1e6;
+    nck_status_t status = NCK_OK;
+    for (unsigned k = 0; k < 4 && status == NCK_OK; k++) {
+        if (!(bulges >> k & 1u)) continue;
+        const double far_nm = centre_nm[k % 2] + (k < 2 ? radius_nm : -radius_nm);
+        status = nck_decode_travel(self, axes[k % 2], nck_rounded(far_nm));
+    }
+    return status;
 }
 
 // The arc over a chord that is not empty, its centre at a height above it.
