@@ -160,7 +160,7 @@ def test_the_tests_that_it_names_are_there():
 def test_the_knots_are_as_long_as_it_says():
     assert f"`mill3` {1e3 * 0.4 * np.cbrt(0.01 / 5e4):.1f} ms" in PAGE.replace("\n", " ")
     text = PAGE.replace("\n", " ")
-    assert f"below {1e3 * J * (TAU / 1.2) ** 3:.2f} µm at J = 10 000 mm/s³" in text
+    assert f"below {1e3 * J * (TAU / 1.6) ** 3:.2f} µm at J = 10 000 mm/s³" in text
 
 
 # Sections 2 and 4
