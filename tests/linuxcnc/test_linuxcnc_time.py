@@ -15,7 +15,7 @@ from pycnc.planning.plan import Plan
 from pycnc.program import Program
 
 SAME_SHARE = 1e-3  # of the time, by the same build: 38 of 40 are the same to the period
-# Seeds that take longer by more: windows are tried so often that a plan comes too late.
+# Seeds that take longer by more: a fault, whose reason is not known yet.
 LATER = {37: 0.037}
 SAME_EXACT_SHARE = 1e-3  # the same along the exact path
 SHARE = 1e-3  # as `pycnc time -m machine.ini` tells it: 39 of 40 are within 0.0002
