@@ -19,6 +19,7 @@ printed before it. The exit status is the number of parts that found something.
     clocked     1 000 programs, 2 000 rests and 4 000 nasty programs along clocked paths (they find
                 some yet)
     rules       the planner without each of its numbers, on every family: what each buys
+    monotony    50 programs of every family with more of a limit, a tolerance or a window
     scripts     24 000 random scripts of the front door, 100 000 programs; 20 000 sessions with
                 wrong lines in them; 4 000 whose modes at the tool are known; 1 000 that wait for
                 a spindle and for M66
@@ -66,6 +67,7 @@ PARTS = {
                 "tests/clocked.py offs 1000 {seed}",
                 "tests/slope/test_lowered_feeds.py 2000 {seed}",
                 "tests/kernel/nasty.py --slope optimal --count 4000 --seed {seed}"],
+    "monotony": ["tests/slope/test_monotony.py 50 {seed}"],
     "rules": ["tests/slope/rules.py --seeds 3"],
     "scripts": ["build/gcc/tests_kernel test_script 24000 {seed}",
                 "build/gcc/tests_kernel test_session 20000 {seed}",

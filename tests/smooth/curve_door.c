@@ -3,6 +3,7 @@
 #include <math.h>   // fmin sqrt
 #include <string.h> // memcpy memset
 
+#include "nck/base/tuning.h"          // NCK_ITERATIONS
 #include "nck/prep/3_smooth/stream.h" // nck_stream_…
 
 // What is asked, and what has come of it.
@@ -31,13 +32,12 @@ static void begin(const curve_run_t *run)
     }
     wish.terms.v_most = (nck_num)run->v;
     wish.terms.a_least = (nck_num)run->a;
-    wish.terms.a_reached = (nck_num)fmin(run->a, sqrt(2.0 * run->v * run->j));
     wish.terms.j_least = (nck_num)run->j;
     wish.terms.smooth_least = (nck_num)smooth;
     wish.terms.longest = (nck_num)run->longest;
     wish.rounds = run->rounds;
     wish.gap = 0.1;
-    wish.most = 10;
+    wish.most = NCK_ITERATIONS;
     nck_stream_begin(&stream, &wish);
 }
 

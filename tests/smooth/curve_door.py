@@ -10,7 +10,7 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 ROOM = ROOT / "csrc" / "nck" / "prep" / "3_smooth"
 BASE = ROOT / "csrc" / "nck" / "base"
-PARTS = ("fair", "track", "timing", "timing_make", "reference", "sample", "stream")
+PARTS = ("fair", "track", "timing", "timing_make", "best", "reference", "sample", "stream")
 SOURCES = (
     Path(__file__).with_suffix(".c"),
     *(ROOM / f"{name}.c" for name in PARTS),
@@ -44,7 +44,7 @@ def smooth(library, points, tolerance, **asked):
     """Smooth a polygon; return control points, s at knots [mm] and the run."""
     points = np.ascontiguousarray(points, float)
     given = {"tau": 0.004, "longest": 6.0, "feed": 100.0, "v": 100.0, "a": 1e3, "j": 1e4}
-    given |= {"rounds": 3} | asked
+    given |= {"rounds": 4} | asked
     run = Run(points=len(points), axes=points.shape[1], room=100000, tolerance=tolerance, **given)
     control = np.zeros((run.room + 3, run.axes))
     s = np.zeros(run.room + 1)

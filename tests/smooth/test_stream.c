@@ -34,7 +34,7 @@ static void begin(void)
         wish.terms.a[x] = 1000.0;
         wish.terms.j[x] = wish.terms.smooth[x] = 10000.0;
     }
-    wish.terms.a_least = wish.terms.a_reached = 1000.0;
+    wish.terms.a_least = 1000.0;
     wish.terms.j_least = wish.terms.smooth_least = 10000.0;
     wish.terms.longest = 6.0;
     wish.terms.v_most = 100.0;

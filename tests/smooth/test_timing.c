@@ -34,7 +34,7 @@ static void begin(void)
         terms.a[x] = 1000.0;
         terms.j[x] = terms.smooth[x] = 10000.0;
     }
-    terms.a_least = terms.a_reached = 1000.0;
+    terms.a_least = 1000.0;
     terms.j_least = terms.smooth_least = 10000.0;
     terms.longest = 1.0;
     terms.v_most = 100.0;

@@ -93,8 +93,8 @@
 // tolerance. A multiple of 8, 64..1024; 0 leaves it out: the path is exact under G64, too. It needs
 // the jerk-limited slope and segs for one and a half windows. 64 last 0.15 to 0.26 s on the shipped
 // machines: half of them is what a stop takes, so fewer would be no window. Below 256 its solvers
-// have single precision, half of the memory, and knots are further apart: 64, 96 and 128 take 2.7,
-// 0.9 and 0.7 % more time than 256 on families.
+// have single precision, half of the memory, and knots are further apart: 64, 96 and 128 take 1.3,
+// 0.6 and 0.5 % more time than 256 on families.
 #ifndef NCK_CLOCKED
 #define NCK_CLOCKED 96
 #endif
@@ -266,6 +266,12 @@
 #define NCK_CLOCKED_AXES 1
 #define NCK_CLOCKED_WINDOW 128
 #define NCK_MOTION_NODES 264
+#endif
+// Whether the fastest curve of a window is kept: with 64 knots of three axes 4 KB.
+#if NCK_CLOCKED_WINDOW > 64
+#define NCK_HAS_FASTEST 1
+#else
+#define NCK_HAS_FASTEST 0
 #endif
 #if NCK_AXIS_MAX > 3
 #define NCK_CLOCKED_WORDS NCK_CLOCKED_TRACK

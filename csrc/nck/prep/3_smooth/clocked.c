@@ -10,7 +10,6 @@
 #include <stddef.h> // offsetof
 #include <string.h> // memcpy memset
 
-
 #define LENGTH_LEAST 1e-9 // [path mm] of an interval beside a rest; one without length is a rest
 
 static double most_feed(const nck_machine_t *machine, const nck_seg_t *seg, int axes) {
@@ -49,8 +48,6 @@ static void set_terms(nck_timing_terms_t *out, const nck_terms_t *terms) {
         out->smooth_least = nck_num_min(out->smooth_least, out->smooth[x]);
         out->v_most = nck_num_max(out->v_most, out->v[x]);
         out->a_least = nck_num_min(out->a_least, out->a[x]);
-        const nck_num by_jerk = NCK_NUM_SQRT(2 * out->v[x] * out->j[x]);
-        out->a_reached = nck_num_max(out->a_reached, nck_num_min(out->a[x], by_jerk));
         out->j_least = nck_num_min(out->j_least, out->j[x]);
     }
 }

@@ -7,7 +7,7 @@
 
 #include <string.h> // memset
 
-
+#define JAMS NCK_NUM_OF(1e-3) // of a step: where a curve is within the limits each goes further
 #define WORK 8000 // operations a call: 40 000 instructions of a processor without vectors
 
 // Operations of an interval's dearest phase: 4 rows enter a triangle of (4 axes)²/2 elements, each
@@ -22,6 +22,7 @@ void nck_fair_begin(nck_fair_t *self, const nck_fair_task_t *task) {
     self->unknown = task->ends ? task->knots - 3 : task->knots;
     self->bins = 0;
     self->iterations = 0;
+    self->sound = 0;
     memset(&self->sum, 0, sizeof self->sum);
     memset(self->y, 0, sizeof self->y);
     memset(self->dy, 0, sizeof self->dy);
@@ -341,8 +342,9 @@ static int is_done(nck_fair_t *self) {
     const nck_num least = NCK_AIM * bar / rows;
     const nck_num sound = NCK_FAIR_SOUND * self->task.gap;
     if (self->iterations == 0) set_prices(self, least);
-    else if (self->sum.complement <= bar && self->sum.primal < sound) return 1;
-    if (self->iterations >= self->task.most) return 1;
+    else if (self->sum.complement <= bar && self->sum.primal < sound) self->sound = 1;
+    if (self->sound || self->iterations >= self->task.most) return 1;
+    if (self->iterations > 0 && self->sum.step < JAMS) return 1;
     self->sum.mu = nck_num_max(NCK_FALL * self->sum.complement / rows, least);
     self->sum.shrink = 0;
     self->sum.cheapen = 0;

@@ -19,7 +19,7 @@
 #ifndef NCK_PREP_FAIR_H
 #define NCK_PREP_FAIR_H
 
-#include <stdint.h> // uint16_t
+#include <stdint.h> // uint8_t uint16_t
 
 #include "nck/base/limits.h" // NCK_AXIS_MAX NCK_CLOCKED_…
 #include "nck/base/real.h"   // nck_num
@@ -65,6 +65,7 @@ typedef struct nck_fair {
     int unknown;      // control points that may move
     int bins;         // filled so far
     int iterations;
+    uint8_t sound;    // 1: y is the answer; 0: it is not found, or no curve is within the limits
     struct {
         nck_num mu;         // what s·z is led to
         nck_num objective;

@@ -6,8 +6,6 @@
 
 #include <string.h> // memcpy
 
-
-
 void nck_reference_point(nck_stream_t *self, double s, double *point_out) {
     self->near = nck_track_find(&self->track, self->near, s);
     nck_track_point(&self->track, self->near, s, point_out);

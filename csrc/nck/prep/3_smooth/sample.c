@@ -8,7 +8,6 @@
 
 #include <string.h> // memcpy
 
-
 #define LOSS (8 * NCK_NUM_EPSILON) // what eight sums lose of the largest number in them
 
 // The curve in an interval, from a point of the program near it: coefficients of w, w = 0 … 1, an
@@ -100,11 +99,26 @@ static nck_num place_of(const bin_t *bin, double s) {
     return share < 1 ? bin->w[0] + share * (bin->w[1] - bin->w[0]) : bin->w[1];
 }
 
-// Of the tolerance what the curve may be off at samples: less by what may lie between them [mm].
-static nck_num room_of(const nck_stream_t *self, nck_num tolerance) {
-    const nck_num quarter = (nck_num)(0.25 * self->wish.terms.tau);
-    const nck_num lies_between = self->wish.terms.a_reached * quarter * quarter / 8;
-    return nck_num_max(tolerance - (nck_num)NCK_ROUNDING - lies_between, tolerance / 2);
+static nck_num size_of(const nck_num *vector, int axes) {
+    nck_num sum = 0;
+    for (int x = 0; x < axes; x++) sum += vector[x] * vector[x];
+    return NCK_NUM_SQRT(sum);
+}
+
+// r″ over w [mm].
+static void set_bend(const cubic_t *cubic, int axes, nck_num w, nck_num *bend_out) {
+    for (int x = 0; x < axes; x++) bend_out[x] = 2 * cubic->of[x][2] + 6 * cubic->of[x][3] * w;
+}
+
+// What may lie between two samples, as the last curve bends in the interval [mm].
+static nck_num lies_between(const nck_stream_t *self, const cubic_t *cubic) {
+    nck_num most = 0;
+    for (int k = 0; k < 2 && self->round > 0; k++) {
+        nck_num bend[NCK_AXIS_MAX] = {0};
+        set_bend(cubic, self->track.axes, (nck_num)k, bend);
+        most = nck_num_max(most, size_of(bend, self->track.axes));
+    }
+    return most / 128;
 }
 
 // s in the middle of a bin, as its neighbours let expect: straight between its ends it would be off
@@ -217,8 +231,6 @@ static void fill_bin(nck_stream_t *self, cubic_t *cubic, const bin_t *bin, doubl
     for (uint32_t n = bin->first; vertices > 0 && n != bin->last + 1; n++) {
         add_arc(self, cubic, bin, n);
     }
-    nck_fair_close_bin(&self->work.fair, (nck_num)self->share * room_of(self, bin->tolerance)
-                                             / (nck_num)self->unit);
 }
 
 void nck_sample_interval(nck_stream_t *self, int i) {
@@ -227,6 +239,9 @@ void nck_sample_interval(nck_stream_t *self, int i) {
     cubic_t cubic;
     nck_num jerk[NCK_AXIS_MAX];
     set_interval(self, i, &cubic);
+    const int held = i < 3 && !self->clock.begins; // by control points of the last window
+    const nck_num share = held ? NCK_NUM_OF(NCK_STREAM_SHARE) : (nck_num)self->share;
+    const nck_num kept = (nck_num)NCK_ROUNDING + (held ? 0 : lies_between(self, &cubic));
     nck_reference_follow(self, i);
     if (nck_timing_is_wide(&self->clock, &self->track, &self->near, i)) per = 0.0;
     for (int n = 0; n < self->moving; n++) jerk[n] = (nck_num)per * cubic.of[self->axis[n]][3];
@@ -235,6 +250,8 @@ void nck_sample_interval(nck_stream_t *self, int i) {
         bin_t bin;
         set_bin(self, i, k, &bin);
         fill_bin(self, &cubic, &bin, middle_of(&self->clock, NCK_FAIR_BINS * i + k));
+        const nck_num room = nck_num_max(bin.tolerance - kept, bin.tolerance / 2);
+        nck_fair_close_bin(&self->work.fair, share * room / (nck_num)self->unit);
     }
 }
 
@@ -270,17 +287,9 @@ static void set_stand(const nck_stream_t *self, cubic_t *cubic, uint32_t n, doub
     nck_num off[NCK_AXIS_MAX];
     nck_track_offset(&self->track, &cubic->from, n, s, point);
     stand->off = NCK_NUM_SQRT(set_off(self, cubic, stand->w, point, off));
-    for (int x = 0; x < self->track.axes; x++) {
-        stand->bend[x] = 2 * cubic->of[x][2] + 6 * cubic->of[x][3] * stand->w;
-    }
+    set_bend(cubic, self->track.axes, stand->w, stand->bend);
     stand->drift = 0;
     if (nck_track_at(&self->track, n)->plane) set_arc_bend(self, n, s, rate, stand);
-}
-
-static nck_num size_of(const nck_num *vector, int axes) {
-    nck_num sum = 0;
-    for (int x = 0; x < axes; x++) sum += vector[x] * vector[x];
-    return NCK_NUM_SQRT(sum);
 }
 
 // The most |r − p| from one place to another with no vertex between. A function whose second

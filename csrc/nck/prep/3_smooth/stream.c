@@ -3,13 +3,13 @@
 #include "nck/base/budget.h"          // NCK_UNLIMITED
 #include "nck/base/real.h"            // nck_fabs nck_max nck_min
 #include "nck/base/tuning.h"          // NCK_ITERATIONS …
+#include "nck/prep/3_smooth/best.h"      // nck_best_…
 #include "nck/prep/3_smooth/reference.h" // nck_reference_set
 #include "nck/prep/3_smooth/sample.h" // nck_sample_…
 #include "nck/prep/3_smooth/stream.h"
 #include "nck/prep/3_smooth/tuning.h" // NCK_STREAM_SHARE …
 
 #include <string.h> // memcpy memset
-
 
 #define LOST 100.0 // [P²] what has come of it is no curve
 #define FASTEST ((nck_num)1e6) // [1] b where a curve stands still: it is no limit there
@@ -22,14 +22,19 @@ static nck_status_t go(nck_stream_t *self, nck_stream_phase_t phase) {
     return NCK_OK;
 }
 
-void nck_stream_begin(nck_stream_t *self, const nck_stream_wish_t *wish) {
-    self->wish = *wish;
-    (void)go(self, NCK_STREAM_GUESS);
+static void begin_rounds(nck_stream_t *self) {
     self->round = 0;
     self->tries = 0;
     self->commit = 0;
     self->halts = 0;
+    self->best.knots = 0;
     self->share = NCK_STREAM_SHARE;
+}
+
+void nck_stream_begin(nck_stream_t *self, const nck_stream_wish_t *wish) {
+    self->wish = *wish;
+    (void)go(self, NCK_STREAM_GUESS);
+    begin_rounds(self);
     self->unit = 0.0;
     self->miss = 0.0;
     self->near = 0;
@@ -171,7 +176,6 @@ static int to_commit(const nck_stream_t *self) {
 // The clock takes twice as long behind what is given: knots were too far apart for any curve.
 static nck_status_t slow_down(nck_stream_t *self) {
     for (int k = 0; k <= self->clock.knots; k++) self->b[k] = (nck_num)0.25;
-    self->told.slowed++;
     self->clock.even = 1;
     const int span[3] = {0, self->clock.knots, self->clock.begins ? 0 : NCK_STREAM_BLEND};
     nck_timing_begin_keep(&self->clock, &self->work.list, &self->track, span);
@@ -186,12 +190,22 @@ static int is_lost(const nck_stream_t *self) {
     return !(fair->sum.primal < (nck_num)LOST) || sum - sum != 0;
 }
 
+// The last clock has no curve, or a slower one: the fastest so far is given.
+static nck_status_t take_best(nck_stream_t *self) {
+    nck_best_take(self);
+    self->sound = 1;
+    self->planned = 1;
+    self->near = self->track.tail;
+    return go(self, NCK_STREAM_PROVE);
+}
+
 static nck_status_t make_fair(nck_stream_t *self) {
     if (nck_fair_step(&self->work.fair) == NCK_OK) return NCK_OK;
     self->told.windows++;
     self->planned = 0;
     self->told.iterations += (uint32_t)self->work.fair.iterations;
-    self->sound = self->work.fair.iterations < NCK_ITERATIONS;
+    self->sound = self->work.fair.sound;
+    if (!self->sound && self->best.knots > 0 && is_last_round(self)) return take_best(self);
     const int lost = is_lost(self);
     if (lost && self->tries < NCK_STREAM_TRIES) {
         self->tries++;
@@ -200,7 +214,7 @@ static nck_status_t make_fair(nck_stream_t *self) {
     if (!lost) take_curve(self);
     self->near = self->track.tail;
     self->given = to_commit(self);
-    return go(self, is_last_round(self) ? NCK_STREAM_PROVE : NCK_STREAM_NODES);
+    return go(self, is_last_round(self) && !self->sound ? NCK_STREAM_PROVE : NCK_STREAM_NODES);
 }
 
 // A curve that is off is made again: on the next clock, which its plan makes slower; where that is
@@ -359,7 +373,11 @@ static nck_status_t compare(nck_stream_t *self) {
     }
     if (self->at <= to) return NCK_OK;
     self->planned = self->off <= (nck_num)NCK_GAP * (nck_num)(to + 1);
+    const int slower = !self->planned && nck_best_is_faster(self);
+    if (slower && is_last_round(self)) return take_best(self);
+    if (is_last_round(self)) self->planned = 1;
     if (self->planned) return go(self, NCK_STREAM_PROVE);
+    if (!slower) nck_best_keep(self);
     self->round++;
     return turn(self, 0);
 }
@@ -386,13 +404,9 @@ static nck_status_t make_motion(nck_stream_t *self) {
 // The next window begins at the seam.
 static nck_status_t begin_window(nck_stream_t *self) {
     const double s = self->clock.s[4 * self->commit];
-    self->halts = 0;
     nck_timing_drop(&self->clock, s);
     nck_track_drop(&self->track, s, nck_timing_reach(&self->clock, &self->track));
-    self->commit = 0;
-    self->round = 0;
-    self->tries = 0;
-    self->share = NCK_STREAM_SHARE;
+    begin_rounds(self);
     self->clock.even = 0;
     return go(self, NCK_STREAM_GUESS);
 }

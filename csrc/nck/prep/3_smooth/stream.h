@@ -15,7 +15,7 @@ typedef struct nck_stream_wish {
     nck_timing_terms_t terms;
     int rounds;  // clocks a window: 1 … 9
     double gap;  // of the curve: 0.1 is enough
-    int most;    // iterations of a clock's plan: 10 are enough
+    int most;    // iterations of a clock's plan
 } nck_stream_wish_t;
 
 // An interval of the curve: u from 0 to τ, cubic.
@@ -51,13 +51,22 @@ typedef struct nck_stream_told {
     uint32_t iterations;  // of them
     uint32_t plans;       // iterations of their plans
     uint32_t again;       // windows that missed P at first
-    uint32_t slowed;      // clocks that were too fast for any curve
     uint32_t rests;       // that were left out for a rest: none of theirs was within P
     uint32_t restless;    // that had no seam with a rest within P behind it
     uint32_t missed;      // that were given although their proof failed
     double most;          // |r − p|/P that is proven, at most
     uint32_t places;      // of the guess
 } nck_stream_told_t;
+
+// The fastest curve of the window so far, by its plan.
+typedef struct nck_stream_best {
+    int knots;     // 0: none
+    int given;
+    uint8_t ends;
+    nck_num b[NCK_HAS_FASTEST * NCK_FAIR_KNOTS + 1];
+    double s[NCK_HAS_FASTEST * NCK_TIMING_CELLS + 1];
+    double point[NCK_HAS_FASTEST * NCK_FAIR_KNOTS + 3][NCK_AXIS_MAX];
+} nck_stream_best_t;
 
 // The run in work.
 typedef struct nck_stream {
@@ -80,7 +89,8 @@ typedef struct nck_stream {
     double point[NCK_FAIR_POINTS][NCK_AXIS_MAX];  // of the window
     nck_num b[NCK_FAIR_KNOTS + 1];                // of the clock's plan
     nck_num off;         // by so much it is off the clock, as far as they are compared
-    int planned;         // 1: it is that of the curve in work
+    int planned;         // 1: b is that of the curve in work, which is the last one
+    nck_stream_best_t best;
     int moving;          // axes that move in the window, of axis[]: those that `fair` has
     uint8_t axis[NCK_AXIS_MAX];
     nck_stream_told_t told;
@@ -114,8 +124,8 @@ nck_status_t nck_stream_step(nck_stream_t *self);
 // What the next step takes at most, in hundreds of a PC's instructions; with arcs, whose points are
 // turned, more. Cost: constant. Context: prep.
 static inline uint32_t nck_stream_price(const nck_stream_t *self) {
-    static const uint16_t line[] = {130, 82, 0, 24, 37, 0, 48, 0, 23, 78, 187, 12, 12};
-    static const uint16_t arc[] = {195, 82, 0, 44, 60, 0, 48, 0, 23, 117, 432, 12, 12};
+    static const uint16_t line[] = {130, 82, 0, 24, 40, 0, 48, 0, 23, 78, 187, 30, 12};
+    static const uint16_t arc[] = {195, 82, 0, 44, 63, 0, 48, 0, 23, 117, 432, 30, 12};
     switch (self->phase) {
     case NCK_STREAM_CLOCK: return nck_timing_price(&self->clock);
     case NCK_STREAM_FAIR: return nck_fair_price(&self->work.fair);

@@ -7,7 +7,6 @@
 #include "nck/prep/3_smooth/timing_math.h" // nck_timing_reach_speed …
 #include "nck/prep/3_smooth/tuning.h" // NCK_TIMING_REACH …
 
-
 #define RUNG 1.4422495703074083 // ∛3: what a rung is longer than the last one; the third from it
                                 // is 3 times as long
 #define USE ((nck_num)NCK_START) // of what rungs allow: a curve is not as good everywhere

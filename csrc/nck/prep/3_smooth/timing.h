@@ -33,8 +33,6 @@ typedef struct nck_timing_terms {
     nck_num v_most;  // the most of the axes
     double spin_a;  // how fast the spindle follows a surface speed [rpm/s]; 0: at once
     nck_num a_least; // the least of the axes and the path
-    nck_num a_reached; // the most that an axis reaches: by its limit, or since its jerk builds it
-                       // up over no more than twice its speed
     nck_num j_least;
     nck_num longest; // what a knot takes at most where nothing is near, in τ; 1 at least
 } nck_timing_terms_t;
@@ -96,6 +94,7 @@ typedef struct nck_timing {
         nck_num cell; // how long that lasts, stretched [s]
         nck_num past; // of that, at the time in work [s]
         nck_num last_v; // of the list's end before the means [path mm/s]
+        nck_num raise; // of the guess where it begins behind a plan, by how much [1]
         int count;    // so many steps
         int place;    // of the list, in work
     } make;

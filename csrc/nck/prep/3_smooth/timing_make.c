@@ -9,6 +9,7 @@
 #define SLOW_MOST ((nck_num)1e-9) // [mm/s] of a cell that stands
 #define SHORTEST (NCK_FAIR_WINDOW / 2) // knots of a window behind which the run goes on: where less
                      // is known than they last the clock goes slower
+#define BEHIND 1     // knot behind the window, up to which s is found
 #define LEAST 7      // knots of a window: three control points at both ends stay
 
 // The next phase, from its begin.
@@ -24,6 +25,18 @@ static int slice_end(const nck_timing_t *self, int all) {
 
 // ---- places
 
+// Where a plan is kept the guess goes on as fast as that ends, and comes down to itself over some
+// knots: a step would be a bend in the clock. Places are half a knot apart.
+static nck_num raise_at(nck_timing_t *self, const nck_timing_list_t *list, nck_num v) {
+    const nck_num way = (nck_num)(list->count - list->kept) / (nck_num)(2 * NCK_STREAM_BLEND);
+    if (list->count == list->kept && list->kept > 0) {
+        const nck_num ends = nck_num_min(list->at[list->kept - 1].v, NCK_TIMING_FASTEST * v);
+        self->make.raise = v > 0 ? nck_num_max(ends / v - 1, 0) : 0;
+    }
+    if (list->kept == 0 || !(way < 1)) return v;
+    return v + v * self->make.raise * (1 - way * way * (3 - 2 * way));
+}
+
 // The guess behind what is kept; where that is a rest, as slow as it leaves one.
 static void add_guess(nck_timing_t *self, nck_timing_list_t *list, double end) {
     const double from = list->kept > 0 ? list->at[list->kept - 1].s + 1e-7 : -1.0;
@@ -32,6 +45,7 @@ static void add_guess(nck_timing_t *self, nck_timing_list_t *list, double end) {
     for (; self->at < to; self->at++) {
         nck_place_t place = *nck_timing_place(self, self->guess.tail + (uint32_t)self->at);
         if (place.s <= from) continue;
+        place.v = raise_at(self, list, place.v);
         if (self->even) place.wide = 0;
         if (self->begins && list->count > 0) {
             const double way = place.s - list->at[0].s;
@@ -247,11 +261,11 @@ static void set_window(nck_timing_t *self, const nck_timing_list_t *list, double
         if (self->knots < LEAST) self->knots = LEAST;
         more = self->knots * tau - all;
     } else {
-        self->knots = (int)nck_min(all / tau - NCK_TIMING_MARGIN, NCK_FAIR_WINDOW);
+        self->knots = (int)nck_min(all / tau - BEHIND, NCK_FAIR_WINDOW);
         if (self->knots < SHORTEST) self->knots = SHORTEST;
-        more = nck_max(0.0, (SHORTEST + NCK_TIMING_MARGIN) * tau - all);
+        more = nck_max(0.0, (SHORTEST + BEHIND) * tau - all);
     }
-    begin_sampling(self, list, 4 * (self->knots + 1), 0.25 * tau, more);
+    begin_sampling(self, list, 4 * (self->knots + BEHIND), 0.25 * tau, more);
     go(self, NCK_TIMING_SET);
 }
 

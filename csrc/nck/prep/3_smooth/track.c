@@ -9,7 +9,6 @@
 
 #include <string.h> // memcpy memset
 
-
 // What joining may cost of P. More than the least is taken as the ring fills alone: where chords
 // are so short that it would not hold what a window has to see.
 static const double costs[NCK_TRACK_LEVELS] = {1.0 / 32.0, 1.0 / 8.0, 1.0 / 4.0, 1.0 / 2.0};

@@ -37,9 +37,6 @@
 #define NCK_TIMING_KEEP_ASK NCK_NUM_OF(1.5)
 // By what a plan may speed the clock up at once [1].
 #define NCK_TIMING_FASTEST NCK_NUM_OF(1.5)
-// At the end of what is known, what no window has [knots]: chords that come one by one else take
-// 1.6 % longer, and a fifth more work.
-#define NCK_TIMING_MARGIN 2
 
 // ---- the curve
 

@@ -10,7 +10,6 @@
 
 #include <string.h> // memset
 
-
 enum { PHASE_LAY = 0, PHASE_FILL, PHASE_SOLVE, PHASE_DRAW };
 
 enum {

@@ -7,7 +7,6 @@
 
 #include <string.h> // memset
 
-
 // Acceleration b′/2 in the middle of interval k. Beyond the ends b is even, as in base/motion.h.
 static double middle_accel(const nck_optimal_pace_t *pace, double knot, uint32_t k) {
     return (pace->b[k + 1] - pace->b[k]) / (2.0 * knot);

@@ -2,7 +2,6 @@
 // Inside room 5: which planner is in force.
 #include "nck/prep/5_slope/planner.h"
 
-
 // The machine's slope, one of those that the build has (nck_machine_check): the others are not
 // called.
 static uint32_t slope_of(const nck_machine_t *machine) {

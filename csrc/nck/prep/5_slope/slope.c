@@ -10,7 +10,6 @@
 #include <stddef.h> // offsetof
 #include <string.h> // memset
 
-
 enum { PHASE_IDLE = 0, PHASE_MAKE, PHASE_INSTALL };
 
 // Periods that are final ahead of the tick.

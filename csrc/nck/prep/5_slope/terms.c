@@ -7,7 +7,6 @@
 #include "nck/prep/5_slope/slope.h"
 #include "nck/prep/5_slope/tuning.h" // NCK_KNOT_SHARE …
 
-
 #define FILTERS_LEAST 2.0 // that a ramp lasts
 
 // Axes from X on up to the last one that the machine has.
@@ -73,7 +72,8 @@ static void set_knot(const nck_machine_t *machine, uint8_t axes, nck_terms_t *te
     }
     const double by_jerk = nck_root_cube(NCK_KNOT_TOLERANCE / j);
     const double wanted = NCK_KNOT_SHARE * nck_max(by_jerk, nck_sqrt(NCK_KNOT_TOLERANCE / a));
-    const double spread = NCK_KNOT_STOPS * stop / NCK_CLOCKED_WINDOW;
+    const double stops = NCK_SINGLE ? NCK_KNOT_STOPS_SINGLE : NCK_KNOT_STOPS;
+    const double spread = stops * stop / NCK_CLOCKED_WINDOW;
     const double knot = nck_max(wanted, nck_min(spread, NCK_KNOT_RAISE * wanted));
     const double share = knot / NCK_KNOT_SHARE_MOST;
     terms_out->knot_s = knot;

@@ -12,9 +12,11 @@
 // Where they are more of it for a smaller P no curve is sought [1]: corners are rested at. With 1.2
 // what is 0.2 µm on a PC, 1 µm in single precision, takes 2.5 times as long, up to 40.
 #define NCK_KNOT_SHARE_MOST 1.6
-// A window lasts so many stops, since a plan sees two windows at most and gives a part; knots are
-// raised by so much at most [1] (soft machines).
-#define NCK_KNOT_STOPS 3.76
+// A window lasts so many stops [1]: with 1, two of 600 machines take 6 and 12 % longer. With few
+// knots, in single precision, it lasts longer: each has its share of a core. Knots are raised for
+// it by so much at most [1].
+#define NCK_KNOT_STOPS 1.5
+#define NCK_KNOT_STOPS_SINGLE 3.76
 #define NCK_KNOT_RAISE 1.75
 // Where nothing is near a knot may take that part of a stop [1/1]: where it takes all of it
 // overrides that come down are late by twice as much.
@@ -22,8 +24,8 @@
 
 // ---- plans
 
-// Before the brake for its window's end, what of a plan does not become final [intervals]: chords
-// that come one by one pay with 0.7 %, up to 5 %.
+// Before the brake for its window's end, what of a plan does not become final [intervals]: without
+// it feeds a revolution lag by 1.3 % behind a spindle that changes its speed, up to 8 %.
 #define NCK_OPTIMAL_COMMIT_OFF 4
 // Cells behind which another plan is tried where none joined: some two intervals, so a window has
 // most of its way left; of a brake besides those that the last try took.
