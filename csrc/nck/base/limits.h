@@ -93,7 +93,7 @@
 // tolerance. A multiple of 8, 64..1024; 0 leaves it out: the path is exact under G64, too. It needs
 // the jerk-limited slope and segs for one and a half windows. 64 last 0.15 to 0.26 s on the shipped
 // machines: half of them is what a stop takes, so fewer would be no window. Below 256 its solvers
-// have single precision, half of the memory, and knots are further apart: 64, 96 and 128 take 1.3,
+// have single precision, half of the memory, and knots are further apart: 64, 96 and 128 take 1.1,
 // 0.6 and 0.5 % more time than 256 on families.
 #ifndef NCK_CLOCKED
 #define NCK_CLOCKED 96
