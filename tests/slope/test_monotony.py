@@ -21,10 +21,10 @@ WALKS = (
 MOST = 0.01  # of all steps may be slower by more than monotony.MOST
 
 
-def text_of(points, feed):
+def text_of(points, feed, mode=""):
     """Return a program along points [mm]."""
     lines = "".join(f"X{x:.5f} Y{y:.5f} Z{z:.5f}\n" for x, y, z in points[1:])
-    return f"{programs.head('')}G1 F{feed:.4f}\n{lines}M2\n".encode()
+    return f"{programs.head(mode)}G1 F{feed:.4f}\n{lines}M2\n".encode()
 
 
 def cases(seeds):

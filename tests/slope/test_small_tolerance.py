@@ -6,6 +6,7 @@ import re
 import clocked
 import numpy as np
 import pytest
+from test_monotony import text_of
 
 from pycnc.bench import families, programs
 from pycnc.planning.plan import Plan
@@ -14,9 +15,8 @@ from pycnc.program import Program
 
 def planned_s(points, feed, mode, slope, limits):
     """Return the time of a program along points [s]."""
-    lines = "".join(f"X{x:.5f} Y{y:.5f} Z{z:.5f}\n" for x, y, z in points[1:])
-    text = f"{programs.head(mode)}G1 F{feed:.4f}\n{lines}M2\n"
-    return Plan(Program(text.encode(), programs.machine(slope, *limits)), keep=False).time_s
+    text = text_of(points, feed, mode)
+    return Plan(Program(text, programs.machine(slope, *limits)), keep=False).time_s
 
 
 @pytest.mark.thorough
